@@ -1,0 +1,26 @@
+# One target per folder of src: walkcycle_add_library(model DEPENDS walkcycle::animation) makes walkcycle::model.
+
+add_library(walkcycle_warnings INTERFACE)
+target_compile_options(walkcycle_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion)
+if(WALKCYCLE_WERROR)
+    target_compile_options(walkcycle_warnings INTERFACE -Werror)
+endif()
+
+# The sanitizers go on everything, also on what links to it.
+if(WALKCYCLE_SANITIZE)
+    add_compile_options(-fsanitize=${WALKCYCLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${WALKCYCLE_SANITIZE})
+endif()
+
+function(walkcycle_add_library folder)
+    cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    add_library(walkcycle_${folder} STATIC ${sources})
+    add_library(walkcycle::${folder} ALIAS walkcycle_${folder})
+    set_target_properties(walkcycle_${folder} PROPERTIES EXPORT_NAME ${folder} LINKER_LANGUAGE CXX)
+    target_compile_features(walkcycle_${folder} PUBLIC cxx_std_20)
+    target_include_directories(walkcycle_${folder} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/walkcycle>)
+    target_link_libraries(walkcycle_${folder} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:walkcycle_warnings>)
+endfunction()

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/File.h"
+
+namespace walkcycle {
+
+struct ArchiveLimits {
+    std::uint64_t maxTotalBytes = std::uint64_t{1} << 30;  // of all that is unpacked
+    std::uint64_t maxEntries = 10000;
+    double maxRatio = 200.0;  // unpacked / packed, for entries over a megabyte
+};
+
+struct ArchiveError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// A .zae (zip) archive in memory (libzip). Names are as stored, '/' between folders.
+class Archive {
+public:
+    Archive(Bytes bytes, const ArchiveLimits& limits);
+    ~Archive();
+    Archive(Archive&&) noexcept;
+
+    const std::vector<std::string>& names() const;
+    bool contains(const std::string& name) const;
+    Bytes read(const std::string& name) const;  // throws ArchiveError
+    std::string rootDocument() const;  // what manifest.xml's <dae_root> names, else the only or first .dae
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+bool looksLikeZip(const Bytes& bytes);
+bool looksLikeGzip(const Bytes& bytes);
+Bytes gunzip(const Bytes& bytes, const ArchiveLimits& limits);  // throws ArchiveError
+
+}  // namespace walkcycle

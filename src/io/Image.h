@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace walkcycle {
+
+// A picture in memory: rows from the top, four bytes (red, green, blue, alpha; straight alpha, sRGB) per pixel.
+struct Image {
+    int width = 0;
+    int height = 0;
+    bool hasAlpha = false;  // the file had an alpha channel
+    std::vector<std::uint8_t> rgba;
+};
+
+// How large a picture may be before decodeImage refuses it, so that a few bytes cannot cost gigabytes.
+struct ImageLimits {
+    int maxDimension = 16384;
+    std::int64_t maxPixels = 64 * 1024 * 1024;
+};
+
+struct ImageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD, WebP ... Throws ImageError saying what is wrong.
+Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
+
+std::vector<std::uint8_t> encodePng(const Image& image);
+std::vector<std::uint8_t> encodeWebp(const Image& image);  // lossless
+
+}  // namespace walkcycle

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "io/File.h"
+#include "loaders/LoadOptions.h"
+#include "loaders/XmlNode.h"
+
+namespace tinyxml2 {
+class XMLDocument;
+}
+
+namespace walkcycle {
+
+class Diagnostics;
+
+// One parsed document: its elements by id.
+class ColladaDocument {
+public:
+    ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits, Diagnostics& diagnostics);
+    ~ColladaDocument();
+
+    const std::string& file() const { return file_; }
+    XmlNode root() const { return root_; }
+    XmlNode byId(std::string_view id) const;
+
+private:
+    void indexIds(Diagnostics& diagnostics, const LoadLimits& limits);
+
+    std::string file_;
+    std::unique_ptr<tinyxml2::XMLDocument> xml_;
+    XmlNode root_;
+    std::unordered_map<std::string_view, const tinyxml2::XMLElement*> byId_;
+};
+
+// The document that was asked for and the others that it refers to, each loaded once.
+class DocumentSet {
+public:
+    DocumentSet(const LoadOptions& options, Diagnostics& diagnostics);
+    ~DocumentSet();
+
+    const ColladaDocument& openFile(const std::string& path);
+    const ColladaDocument& openMemory(std::span<const std::uint8_t> bytes, const std::string& name);
+
+    // The element that a URI ("#id", "file.dae#id", "id" alone as a courtesy) in `from` leads to; nothing (not
+    // reported) where it leads nowhere.
+    XmlNode resolve(const XmlNode& from, std::string_view uri);
+
+    // The same for a reference that must be there: reports WC0201 / WC0207 and gives nothing where it does not lead to
+    // an element of that name (empty: any). `attribute` names where the URI stands ("url", "source"); the element's
+    // text for "".
+    XmlNode follow(const XmlNode& from, const char* attribute, std::string_view elementName);
+
+    // Reads a file beside the document (a picture): archive member, resolver or disk. Empty optional: not there.
+    // `path` is as the URI gave it, decoded, relative to the document's folder or absolute. foundPath names what was read.
+    std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath);
+    // Names of the files (not folders) in a folder relative to the document's; for looking for a picture.
+    std::vector<std::string> listBeside(const XmlNode& from, const std::string& folder);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "model/Diagnostic.h"
+
+namespace walkcycle {
+
+class XmlNode;
+
+// What is wrong, by name. The texts are in DiagnosticCodes.inc, the catalogue.
+enum class Code {
+#define WC_CODE(number, name, severity, text, cause, cure) name,
+#include "loaders/DiagnosticCodes.inc"
+#undef WC_CODE
+};
+
+struct CodeInfo {
+    Code code;
+    const char* id;  // "WC0207"
+    const char* name;  // "WrongElement"
+    Severity severity;
+    const char* text;  // with {0}, {1}, ...
+    const char* cause;
+    const char* cure;
+};
+
+std::span<const CodeInfo> diagnosticCatalogue();
+const CodeInfo& info(Code code);
+
+// Nothing of the file can be shown. what() is the diagnostic as one line; `diagnostics` holds it last, after what
+// was said before.
+struct LoadError : std::runtime_error {
+    explicit LoadError(std::vector<Diagnostic> all);
+    std::vector<Diagnostic> diagnostics;
+};
+
+// Collects what is said about one load. A kind of message is kept a few times per element name and after that only counted.
+class Diagnostics {
+public:
+    using Arguments = std::initializer_list<std::string>;
+
+    // `where` gives file, line and element path; `line` overrides the element's own line where it is known better.
+    void report(Code code, const XmlNode& where, Arguments arguments, int line = 0);
+    void report(Severity severity, Code code, const XmlNode& where, Arguments arguments, int line = 0);
+    void report(Code code, const std::string& file, int line, Arguments arguments);  // where there is no element
+
+    // Reports, then throws LoadError.
+    [[noreturn]] void fail(Code code, const XmlNode& where, Arguments arguments, int line = 0);
+    [[noreturn]] void fail(Code code, const std::string& file, int line, Arguments arguments);
+
+    const std::vector<Diagnostic>& all() const { return all_; }
+    std::vector<Diagnostic> take() { return std::move(all_); }
+
+private:
+    void add(Diagnostic diagnostic, const std::string& elementName);
+
+    std::vector<Diagnostic> all_;
+    std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>> seen_;  // file, code, element
+};
+
+}  // namespace walkcycle

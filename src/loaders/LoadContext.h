@@ -1,0 +1,22 @@
+#pragma once
+
+#include "loaders/ColladaDocument.h"
+#include "loaders/Diagnostics.h"
+#include "loaders/LoadOptions.h"
+#include "loaders/Source.h"
+
+namespace walkcycle {
+
+// What every loader of one load shares.
+struct LoadContext {
+    const LoadOptions& options;
+    Diagnostics& diagnostics;
+    DocumentSet& documents;
+    SourceReader& sources;
+
+    // Throws LoadError WC0801 where `amount` is over `limit`.
+    void require(std::uint64_t amount, std::uint64_t limit, const char* what, const XmlNode& where) const;
+    void checkCancelled(const XmlNode& where) const;
+};
+
+}  // namespace walkcycle

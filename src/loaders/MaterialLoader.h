@@ -1,0 +1,28 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "loaders/LoadContext.h"
+#include "model/Model.h"
+
+namespace walkcycle {
+
+// Reads materials as instances bind them: each <material> once (cached), its <effect>, samplers, surfaces and pictures.
+class MaterialLoader {
+public:
+    MaterialLoader(const LoadContext& context, Model& model);
+    ~MaterialLoader();
+
+    // One PartMaterial per part of the mesh, from the <bind_material> of an <instance_geometry> or
+    // <instance_controller> (which may be missing: parts then look for a material whose id or name is their symbol).
+    std::vector<PartMaterial> bind(XmlNode instance, const MeshData& mesh);
+
+    // <effect> and <material> elements -> Model::materials, for animation channels.
+    const std::unordered_multimap<XmlNode, int>& elements() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "loaders/XmlNode.h"
+
+namespace walkcycle {
+
+class Diagnostics;
+class DocumentSet;
+
+// What to do about a number that cannot be used: positions, weights and matrices are nothing without it (Error), the
+// rest can be shown (Warning). It becomes 0 either way, so that nothing that is not finite is ever passed on.
+enum class Numbers { Error, Warning };
+
+// A <source>: its array seen through its accessor, packed. Entry i has `width` numbers at values[i * width]:
+// those of the accessor's <param>s that have a name (all of them where none has one), in order.
+template <typename T>
+struct Source {
+    std::vector<T> values;
+    std::size_t width = 0;
+    std::vector<std::string> params;  // names, "X", "Y", ..., "JOINT", "TRANSFORM"
+    XmlNode element;                  // the <source>; for messages
+
+    std::size_t count() const { return width ? values.size() / width : 0; }
+    const T* operator[](std::size_t i) const { return values.data() + i * width; }
+};
+
+using FloatSource = Source<float>;
+using DoubleSource = Source<double>;
+using NameSource = Source<std::string>;  // isIdref tells IDREF_array from Name_array: see SourceReader::names
+
+// Reads <source> elements: each once, cached for the load (packed values are shared).
+class SourceReader {
+public:
+    SourceReader(DocumentSet& documents, Diagnostics& diagnostics);
+    ~SourceReader();
+
+    // `source` is the <source> element. Faults are reported: a count that disagrees with the data (WC0205, WC0211;
+    // the entries that exist are given), numbers (WC0204 / WC0210 by `numbers`), missing accessor or array.
+    // Null where there is nothing usable.
+    std::shared_ptr<const FloatSource> floats(XmlNode source, Numbers numbers);
+    std::shared_ptr<const DoubleSource> doubles(XmlNode source, Numbers numbers);
+    std::shared_ptr<const NameSource> names(XmlNode source, bool& isIdref);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// An <input> of a <mesh>'s primitive, <vertices>, <joints>, <vertex_weights>, <targets> or <sampler>.
+struct Input {
+    std::string semantic;
+    int offset = 0;
+    int set = 0;
+    bool hasSet = false;
+    XmlNode element;
+    XmlNode source;  // where it leads; nothing where it leads nowhere (already reported as an error)
+};
+
+// All <input>s of an element, references followed (and reported as an error where they lead nowhere).
+std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostics& diagnostics);
+
+// The numbers of an element's text: a <matrix>, <p>, <vcount>, <v> ... Faults are reported with their own line.
+std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers);
+std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics);
+
+}  // namespace walkcycle

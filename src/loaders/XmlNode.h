@@ -1,0 +1,95 @@
+#pragma once
+
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace tinyxml2 {
+class XMLElement;
+}
+
+namespace walkcycle {
+
+class ColladaDocument;
+
+// An element of the document, or nothing: a missing child is an XmlNode that is false, and asking it for more gives
+// more nothing, so that a path of optional children needs no checks on the way.
+// (The series' XmlNode, on tinyxml2. It is two pointers: copy it freely; the document must outlive it.)
+class XmlNode {
+public:
+    XmlNode() = default;
+    XmlNode(const tinyxml2::XMLElement* element, const ColladaDocument* document)
+        : element_(element), document_(document) {}
+
+    explicit operator bool() const { return element_ != nullptr; }
+    bool operator==(const XmlNode& other) const { return element_ == other.element_; }
+
+    std::string_view name() const;  // without a namespace prefix
+    bool is(std::string_view elementName) const { return element_ && name() == elementName; }
+    bool has(const char* attributeName) const;
+    std::string_view attribute(const char* attributeName) const;  // empty where it is missing
+    std::string_view id() const { return attribute("id"); }
+    std::string_view sid() const { return attribute("sid"); }
+
+    XmlNode parent() const;
+    XmlNode child(std::string_view elementName) const;  // the first of that name
+    XmlNode firstChild() const;                         // of any name
+    XmlNode nextSibling() const;                        // of any name
+    XmlNode nextSibling(std::string_view elementName) const;
+
+    // for (XmlNode input : mesh.children("input")); an empty name means every child.
+    class Range;
+    Range children(std::string_view elementName = {}) const;
+
+    // The element's text, joined where comments interrupt it and without white space at its ends.
+    std::string text() const;
+    // The same without a copy where the text is in one piece; otherwise joined into `joined`. Not trimmed.
+    std::string_view rawText(std::string& joined) const;
+    int textLine() const;  // where rawText begins; the element's line if it has no text
+
+    int line() const;
+    std::string path() const;  // "COLLADA/library_geometries/geometry[id=body]/mesh"
+    const std::string& file() const;
+    const ColladaDocument& document() const { return *document_; }
+    const tinyxml2::XMLElement* element() const { return element_; }
+
+private:
+    const tinyxml2::XMLElement* element_ = nullptr;
+    const ColladaDocument* document_ = nullptr;
+};
+
+class XmlNode::Range {
+public:
+    class Iterator {
+    public:
+        using value_type = XmlNode;
+        using difference_type = std::ptrdiff_t;
+        Iterator(XmlNode node, std::string_view name) : node_(node), name_(name) {}
+        XmlNode operator*() const { return node_; }
+        Iterator& operator++() {
+            node_ = name_.empty() ? node_.nextSibling() : node_.nextSibling(name_);
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return !(node_ == other.node_); }
+
+    private:
+        XmlNode node_;
+        std::string_view name_;
+    };
+    Range(XmlNode first, std::string_view name) : first_(first), name_(name) {}
+    Iterator begin() const { return {first_, name_}; }
+    Iterator end() const { return {{}, name_}; }
+
+private:
+    XmlNode first_;
+    std::string_view name_;
+};
+
+}  // namespace walkcycle
+
+template <>
+struct std::hash<walkcycle::XmlNode> {
+    std::size_t operator()(const walkcycle::XmlNode& node) const noexcept {
+        return std::hash<const void*>()(node.element());
+    }
+};
