@@ -17,20 +17,26 @@ struct TransformElement {
     enum class Kind { Matrix, Translate, Rotate, Scale, LookAt, Skew };
     Kind kind = Kind::Matrix;
     std::string sid;
-    std::array<double, 16> values{};  // Matrix: 16, row by row; Rotate: x y z degrees; Translate, Scale: 3; LookAt: 9; Skew: 7
+    std::array<double, 16>
+        values{};  // Matrix: 16, row by row; Rotate: x y z degrees; Translate, Scale: 3; LookAt: 9; Skew: 7
     int valueCount() const;
     XmlNode element;
 
     glm::dmat4 toMatrix() const;
 };
 
-// A node's transform elements in document order; their product, first element leftmost, is its local transform.
+// A node's transform elements in document order; their product, first element leftmost, is its local
+// transform.
 struct TransformStack {
     std::vector<TransformElement> elements;
 
     glm::dmat4 toMatrix() const;
 };
 
+// Reads them all. Missing numbers are those of an element that does nothing, and reported.
 TransformStack readTransformStack(XmlNode node, Diagnostics& diagnostics);
+
+// The matrix of each kind. All are affine: their last row is 0 0 0 1.
+glm::dmat4 matrixOf(TransformElement::Kind kind, const double* values);
 
 }  // namespace walkcycle
