@@ -30,13 +30,14 @@ struct Animation {
     double endSeconds = 0.0;
     std::vector<Channel> channels;
     std::vector<ParameterTrack> parameterTracks;
-    float achievedError = 0.0f;  // largest distance between these keys and the file's own curves, as a share of the model's size
+    float achievedError = 0.0f;  // largest distance between these keys and the file's own curves, as a share
+                                 // of the model's size
 
     double lengthInSeconds() const { return endSeconds - startSeconds; }
 };
 
-// The channel's transform at a time of the document's timeline. Before the first key the first one holds, after
-// the last the last one. The channel must have keys of that kind.
+// The channel's transform at a time of the document's timeline. Before the first key the first one holds,
+// after the last the last one. The channel must have keys of that kind.
 JointTransform sample(const Channel& channel, double seconds);
 glm::mat4 sampleMatrix(const Channel& channel, double seconds);
 float sample(const ParameterTrack& track, double seconds);

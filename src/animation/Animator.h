@@ -8,9 +8,9 @@
 
 namespace walkcycle {
 
-// Plays an Animation on a Skeleton: keeps the clip's time, samples its keys, and turns the local transforms of the
-// pose into model-space ones. (The series' Animator. Where the Java returns a map of names per frame, this walks
-// arrays and reuses their memory.) Both skeleton and animation must outlive it.
+// Plays an Animation on a Skeleton: keeps the clip's time, samples its keys, and turns the local transforms
+// of the pose into model-space ones. (The series' Animator. Where the Java returns a map of names per frame,
+// this walks arrays and reuses their memory.) Both skeleton and animation must outlive it.
 class Animator {
 public:
     // `restParameters` are the values of Model::parameters at rest; may be empty.
@@ -25,8 +25,8 @@ public:
     // Seeks to a time within the clip, 0 being its start; wraps likewise.
     void setTime(double seconds);
 
-    // Poses the skeleton as it is at a time of the document's timeline, which is not wrapped: before and after the
-    // clip its first and last poses hold.
+    // Poses the skeleton as it is at a time of the document's timeline, which is not wrapped: before and
+    // after the clip its first and last poses hold.
     void sampleAt(double documentSeconds);
 
     double time() const { return time_; }  // seconds since the clip's start

@@ -9,7 +9,7 @@ namespace walkcycle {
 // Where a joint stands relative to its parent joint: first scaled, then turned, then moved.
 // (The series' JointTransform, completed by scale.)
 struct JointTransform {
-    glm::vec3 position{0.0f};                 // in the parent's space and units
+    glm::vec3 position{0.0f};                    // in the parent's space and units
     glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  // w, x, y, z; of unit length
     glm::vec3 scale{1.0f};
 

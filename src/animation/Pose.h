@@ -8,8 +8,8 @@
 
 namespace walkcycle {
 
-// Where every joint of a skeleton stands relative to its parent at one moment. A joint is either a JointTransform
-// or, where that cannot hold it (shear, mirroring, a static stack kept exactly), a matrix.
+// Where every joint of a skeleton stands relative to its parent at one moment. A joint is either a
+// JointTransform or, where that cannot hold it (shear, mirroring, a static stack kept exactly), a matrix.
 class Pose {
 public:
     Pose() = default;
@@ -24,8 +24,9 @@ private:
     std::vector<glm::mat4> matrices_;
 };
 
-// Each joint's transform from its own space to the model's (parents come first, so each joint finds its parent's
-// transform already done). `transforms` is resized to the skeleton's joint count; its memory is reused.
+// Each joint's transform from its own space to the model's (parents come first, so each joint finds its
+// parent's transform already done). `transforms` is resized to the skeleton's joint count; its memory is
+// reused.
 void modelTransforms(const Skeleton& skeleton, const Pose& pose, std::vector<glm::mat4>& transforms);
 
 }  // namespace walkcycle

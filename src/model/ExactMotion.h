@@ -12,9 +12,10 @@ class ExactMotion {
 public:
     virtual ~ExactMotion() = default;
 
-    // Fills one local transform per joint of the skeleton, and one value per Model::parameters, at a time of the
-    // document's timeline (the whole of it, as of animations[0]).
-    virtual void evaluate(double seconds, std::span<glm::dmat4> localTransforms, std::span<double> parameters) const = 0;
+    // Fills one local transform per joint of the skeleton, and one value per Model::parameters, at a time of
+    // the document's timeline (the whole of it, as of animations[0]).
+    virtual void evaluate(double seconds, std::span<glm::dmat4> localTransforms,
+                          std::span<double> parameters) const = 0;
 };
 
 }  // namespace walkcycle

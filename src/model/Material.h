@@ -17,13 +17,21 @@ enum class Slot { Emission, Ambient, Diffuse, Specular, Reflective, Transparent,
 inline constexpr int kSlotCount = 7;
 
 enum class Wrap { Repeat, Mirror, Clamp, Border, None };
-enum class Filter { None, Nearest, Linear, NearestMipmapNearest, LinearMipmapNearest, NearestMipmapLinear, LinearMipmapLinear };
+enum class Filter {
+    None,
+    Nearest,
+    Linear,
+    NearestMipmapNearest,
+    LinearMipmapNearest,
+    NearestMipmapLinear,
+    LinearMipmapLinear
+};
 
 // A picture as a sampler of the file uses it.
 struct Texture {
-    std::string id;    // of the <image>
-    std::string uri;   // as the file has it
-    std::string path;  // the file that was found; empty where none was
+    std::string id;                      // of the <image>
+    std::string uri;                     // as the file has it
+    std::string path;                    // the file that was found; empty where none was
     std::shared_ptr<const Image> image;  // null where it is missing, broken, or images were not asked for
     Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
     Filter minFilter = Filter::LinearMipmapLinear, magFilter = Filter::Linear;
@@ -31,9 +39,10 @@ struct Texture {
 };
 
 struct ColorOrTexture {
-    bool present = false;      // the file has this slot
+    bool present = false;                     // the file has this slot
     glm::vec4 color{0.0f, 0.0f, 0.0f, 1.0f};  // as in the file (not linearised)
-    int texture = -1;          // index into Model::textures; then color is white, or what stands for a missing picture
+    int texture =
+        -1;  // index into Model::textures; then color is white, or what stands for a missing picture
     std::string texCoordName;  // the semantic that bind_vertex_input binds to a set
 };
 
@@ -56,8 +65,8 @@ struct Material {
     ColorOrTexture& slot(Slot s) { return slots[static_cast<std::size_t>(s)]; }
 };
 
-// How opaque the material is in [0, 1] where its transparent slot has this colour (COLLADA 1.4.1, "Determining
-// transparency (opacity)").
+// How opaque the material is in [0, 1] where its transparent slot has this colour (COLLADA 1.4.1,
+// "Determining transparency (opacity)").
 float opacity(const Material& material, const glm::vec4& transparentColor);
 
 }  // namespace walkcycle

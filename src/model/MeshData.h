@@ -22,12 +22,14 @@ struct MeshPart {
 
 struct TexCoordSet {
     int set = 0;  // the `set` of the <input>, 0 where it has none
-    std::vector<glm::vec2> coords;  // one per vertex; (0, 0) is the picture's lower left corner, as in COLLADA
+    std::vector<glm::vec2>
+        coords;  // one per vertex; (0, 0) is the picture's lower left corner, as in COLLADA
 };
 
-// A <geometry> as plain data, in the file's own axes and units. Two kinds of points: `positions` are the entries of
-// the file's POSITION source, which morphs and skins speak about; vertices are what is drawn: a position with one
-// normal, texture coordinate, colour. vertexPositions[v] says which position vertex v stands at.
+// A <geometry> as plain data, in the file's own axes and units. Two kinds of points: `positions` are the
+// entries of the file's POSITION source, which morphs and skins speak about; vertices are what is drawn: a
+// position with one normal, texture coordinate, colour. vertexPositions[v] says which position vertex v
+// stands at.
 struct MeshData {
     std::string id, name;
     std::vector<glm::vec3> positions;
@@ -36,8 +38,9 @@ struct MeshData {
     std::vector<std::uint32_t> vertexPositions;  // per vertex: index into positions
     std::vector<glm::vec3> normals;              // per vertex, of unit length; zero for the vertices of lines
     std::vector<TexCoordSet> texCoordSets;
-    std::vector<glm::vec4> colors;    // per vertex, linear as in the file; empty where the file has none
-    std::vector<glm::vec4> tangents;  // per vertex, w is the bitangent's sign; empty unless a bump texture needs them
+    std::vector<glm::vec4> colors;  // per vertex, linear as in the file; empty where the file has none
+    std::vector<glm::vec4>
+        tangents;  // per vertex, w is the bitangent's sign; empty unless a bump texture needs them
 
     std::vector<std::uint32_t> indices;  // into the vertices: three per triangle, two per line
     std::vector<MeshPart> parts;

@@ -39,15 +39,16 @@ struct Deformer {
 // The material of one part of one instance, and which texture coordinates its pictures use.
 struct PartMaterial {
     int material = -1;  // index into Model::materials; -1: none is bound
-    std::array<int, kSlotCount> texCoordSets{};  // per Slot: index into MeshData::texCoordSets, -1 where it has none
+    std::array<int, kSlotCount>
+        texCoordSets{};  // per Slot: index into MeshData::texCoordSets, -1 where it has none
 };
 
 // An <instance_geometry> or <instance_controller> that is drawn.
 struct MeshInstance {
-    int node = 0;  // index into Skeleton::joints
-    int mesh = 0;  // index into Model::meshes
-    std::string sourceUrl;             // as the instance has it: "#body-skin"
-    std::vector<Deformer> deformers;   // innermost first; empty for a rigid mesh
+    int node = 0;                         // index into Skeleton::joints
+    int mesh = 0;                         // index into Model::meshes
+    std::string sourceUrl;                // as the instance has it: "#body-skin"
+    std::vector<Deformer> deformers;      // innermost first; empty for a rigid mesh
     std::vector<PartMaterial> materials;  // one per MeshData::parts
 };
 
@@ -62,11 +63,18 @@ enum class ParameterKind {
     NodeVisible     // object: Skeleton::joints
 };
 enum class CameraComponent { XFov, YFov, XMag, YMag, Aspect, ZNear, ZFar };
-enum class LightComponent { Intensity, ConstantAttenuation, LinearAttenuation, QuadraticAttenuation, FalloffAngle, FalloffExponent };
+enum class LightComponent {
+    Intensity,
+    ConstantAttenuation,
+    LinearAttenuation,
+    QuadraticAttenuation,
+    FalloffAngle,
+    FalloffExponent
+};
 enum class MaterialComponent { Shininess, Reflectivity, Transparency, IndexOfRefraction };
 
-// A number of the model that animations may move and that is not part of a joint's transform. All morph weights are
-// here; of the rest only those that a channel targets.
+// A number of the model that animations may move and that is not part of a joint's transform. All morph
+// weights are here; of the rest only those that a channel targets.
 struct Parameter {
     ParameterKind kind = ParameterKind::MorphWeight;
     int object = 0;
@@ -93,7 +101,8 @@ struct Model {
     std::vector<SceneLight> lights;
     std::vector<LightInstance> lightInstances;
     std::vector<Parameter> parameters;
-    std::vector<Animation> animations;  // [0] is the whole timeline; the file's own clips follow. Empty: nothing moves
+    std::vector<Animation>
+        animations;  // [0] is the whole timeline; the file's own clips follow. Empty: nothing moves
     std::vector<Diagnostic> diagnostics;
     std::shared_ptr<const ExactMotion> exactMotion;  // null where nothing moves
 

@@ -5,8 +5,8 @@
 
 namespace walkcycle {
 
-// A <camera> of the file: its optics, in the document's units and degrees. It looks down its node's -Z, +Y up.
-// Of each pair (xfov, yfov) and (xmag, ymag) one or both may be given; aspect is width / height.
+// A <camera> of the file: its optics, in the document's units and degrees. It looks down its node's -Z, +Y
+// up. Of each pair (xfov, yfov) and (xmag, ymag) one or both may be given; aspect is width / height.
 struct SceneCamera {
     std::string id, name;
     bool orthographic = false;

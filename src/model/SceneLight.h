@@ -8,7 +8,8 @@ namespace walkcycle {
 
 enum class LightKind { Ambient, Directional, Point, Spot };
 
-// A <light> of the file. Directional and spot lights shine down their node's -Z. Distances are in document units.
+// A <light> of the file. Directional and spot lights shine down their node's -Z. Distances are in document
+// units.
 struct SceneLight {
     std::string id, name;
     LightKind kind = LightKind::Directional;

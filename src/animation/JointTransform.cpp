@@ -1,0 +1,42 @@
+#include "animation/JointTransform.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace walkcycle {
+namespace {
+
+float lengthOf(const glm::quat& q) {
+    return std::sqrt(glm::dot(q, q));
+}
+
+// Both of unit length. The angle comes from a sum and a difference: unlike the arc cosine of a dot product,
+// that stays exact for rotations that hardly differ.
+glm::quat slerp(const glm::quat& a, const glm::quat& b, float progression) {
+    // q and -q are the same rotation; flip one so that the blend takes the short way round.
+    const glm::quat nearest = glm::dot(a, b) < 0.0f ? -b : b;
+    const float angle = 2.0f * std::atan2(lengthOf(nearest - a), lengthOf(nearest + a));
+    if (angle < 1e-4f) return glm::normalize(a * (1.0f - progression) + nearest * progression);
+    const float fromA = std::sin((1.0f - progression) * angle);
+    const float fromB = std::sin(progression * angle);
+    return glm::normalize(a * fromA + nearest * fromB);
+}
+
+}  // namespace
+
+glm::mat4 JointTransform::toMatrix() const {
+    const glm::mat3 turn = glm::mat3_cast(rotation);
+    return {glm::vec4(turn[0] * scale.x, 0.0f), glm::vec4(turn[1] * scale.y, 0.0f),
+            glm::vec4(turn[2] * scale.z, 0.0f), glm::vec4(position, 1.0f)};
+}
+
+JointTransform JointTransform::interpolate(const JointTransform& a, const JointTransform& b,
+                                           float progression) {
+    return {.position = a.position + (b.position - a.position) * progression,
+            .rotation = slerp(a.rotation, b.rotation, progression),
+            .scale = a.scale + (b.scale - a.scale) * progression};
+}
+
+}  // namespace walkcycle

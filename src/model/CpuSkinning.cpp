@@ -1,0 +1,222 @@
+#include "model/CpuSkinning.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace walkcycle {
+namespace {
+
+constexpr std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+float weightSum(const MorphTargets& morph, std::span<const float> parameters) {
+    float sum = 0.0f;
+    for (std::size_t t = 0; t < morph.targets.size(); ++t) sum += parameters[index(morph.firstParameter) + t];
+    return sum;
+}
+
+// How much of what a run of morphs was given is left in their result: all of it, but for NORMALIZED layers.
+float shareOfInput(const Model& model, std::span<const Deformer> morphs, std::span<const float> parameters) {
+    float share = 1.0f;
+    for (const Deformer& deformer : morphs) {
+        const MorphTargets& morph = model.morphs[index(deformer.index)];
+        if (morph.method == MorphMethod::Normalized) share *= 1.0f - weightSum(morph, parameters);
+    }
+    return share;
+}
+
+// Turns normals as `matrix` turns surfaces: the inverse transpose, up to a positive factor. Written with
+// cross products it also holds where the matrix flattens things and has no inverse.
+glm::mat3 normalMatrix(const glm::mat4& matrix) {
+    const glm::vec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
+    const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+    return glm::dot(cross(x, y), z) < 0.0f ? -cofactors : cofactors;
+}
+
+// The vertices of lines have no normal: theirs stays zero.
+glm::vec3 unit(const glm::vec3& normal) {
+    const float length = glm::length(normal);
+    return length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
+}
+
+glm::mat4 inverseOrIdentity(const glm::mat4& matrix) {
+    return std::isnormal(glm::determinant(matrix)) ? glm::inverse(matrix) : glm::mat4(1.0f);
+}
+
+// The sum of all influences of one position. Adding up matrices first costs a position what adding up moved
+// positions would, and serves the normals too.
+glm::mat4 blendedMatrix(const Influences& influences, std::size_t position,
+                        const std::vector<glm::mat4>& palette) {
+    glm::mat4 sum(0.0f);
+    for (std::uint32_t i = influences.first[position]; i < influences.first[position + 1]; ++i) {
+        const Influence& influence = influences.influences[i];
+        sum += palette[influence.joint] * influence.weight;
+    }
+    return sum;
+}
+
+void addScaled(std::vector<glm::vec3>& sums, const std::vector<glm::vec3>& deltas, float coefficient) {
+    const std::size_t count = std::min(sums.size(), deltas.size());
+    for (std::size_t i = 0; i < count; ++i) sums[i] += deltas[i] * coefficient;
+}
+
+void mixWith(std::vector<glm::vec3>& values, const std::vector<glm::vec3>& base, float share) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] * share + base[i] * (1.0f - share);
+}
+
+}  // namespace
+
+void Bounds::add(const glm::vec3& point) {
+    min = glm::min(min, point);
+    max = glm::max(max, point);
+}
+
+void Bounds::add(const Bounds& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+}
+
+float Bounds::diagonal() const {
+    return empty() ? 0.0f : glm::length(max - min);
+}
+
+void morphCoefficients(const Model& model, std::span<const Deformer> deformers,
+                       std::span<const float> parameters, std::vector<float>& coefficients) {
+    coefficients.clear();
+    for (const Deformer& deformer : deformers) {
+        assert(deformer.kind == Deformer::Kind::Morph);
+        const MorphTargets& morph = model.morphs[index(deformer.index)];
+        if (morph.method == MorphMethod::Normalized) {
+            const float left = 1.0f - weightSum(morph, parameters);
+            for (float& coefficient : coefficients) coefficient *= left;
+        }
+        for (std::size_t t = 0; t < morph.targets.size(); ++t) {
+            coefficients.push_back(parameters[index(morph.firstParameter) + t]);
+        }
+    }
+}
+
+bool shaderCanDeform(const MeshInstance& instance) {
+    std::size_t morphs = 0;
+    while (morphs < instance.deformers.size() && instance.deformers[morphs].kind == Deformer::Kind::Morph)
+        ++morphs;
+    return morphs + 1 >= instance.deformers.size();
+}
+
+// One instance on its way through its deformers. The points are either in the mesh's own space, where morphs
+// work and skins start, or, after a skin, in model space.
+struct CpuSkinning::Work {
+    const Model& model;
+    const MeshInstance& instance;
+    const MeshData& mesh;
+    const std::vector<glm::mat4>& modelTransforms;
+    std::span<const float> parameters;
+    std::vector<glm::vec3>& positions;
+    std::vector<glm::vec3>* normals;  // null where nobody asks for them
+    bool inModelSpace = false;
+    bool wasSkinned = false;
+
+    const glm::mat4& nodeTransform() const { return modelTransforms[index(instance.node)]; }
+
+    void transform(const glm::mat4& matrix) {
+        for (glm::vec3& position : positions) position = glm::vec3(matrix * glm::vec4(position, 1.0f));
+        if (!normals) return;
+        const glm::mat3 turn = normalMatrix(matrix);
+        for (glm::vec3& normal : *normals) normal = unit(turn * normal);
+    }
+
+    void goToModelSpace() {
+        if (!inModelSpace) transform(nodeTransform());
+        inModelSpace = true;
+    }
+
+    void goToMeshSpace() {
+        if (inModelSpace) transform(inverseOrIdentity(nodeTransform()));
+        inModelSpace = false;
+    }
+};
+
+void CpuSkinning::morph(Work& work, std::span<const Deformer> morphs) {
+    work.goToMeshSpace();
+    // Targets are differences to the mesh of the file. A NORMALIZED morph of something else, a skinned mesh,
+    // blends from that to the mesh of the file first.
+    if (work.wasSkinned) {
+        const float share = shareOfInput(work.model, morphs, work.parameters);
+        mixWith(work.positions, work.mesh.positions, share);
+        if (work.normals) mixWith(*work.normals, work.mesh.normals, share);
+    }
+    morphCoefficients(work.model, morphs, work.parameters, coefficients_);
+    std::size_t next = 0;
+    for (const Deformer& deformer : morphs) {
+        for (const MorphTarget& target : work.model.morphs[index(deformer.index)].targets) {
+            const float coefficient = coefficients_[next++];
+            if (coefficient == 0.0f) continue;
+            addScaled(work.positions, target.positionDeltas, coefficient);
+            if (work.normals) addScaled(*work.normals, target.normalDeltas, coefficient);
+        }
+    }
+}
+
+void CpuSkinning::skin(Work& work, const Deformer& deformer) {
+    work.goToMeshSpace();
+    computePalette(work.model.skins[index(deformer.index)], work.modelTransforms, palette_);
+    const Influences& influences = work.model.influences[index(deformer.influences)];
+    assert(influences.first.size() == work.positions.size() + 1);
+    if (work.normals) {
+        for (std::size_t v = 0; v < work.normals->size(); ++v) {
+            const glm::mat4 matrix = blendedMatrix(influences, work.mesh.vertexPositions[v], palette_);
+            (*work.normals)[v] = unit(normalMatrix(matrix) * (*work.normals)[v]);
+        }
+    }
+    for (std::size_t p = 0; p < work.positions.size(); ++p) {
+        const glm::mat4 matrix = blendedMatrix(influences, p, palette_);
+        work.positions[p] = glm::vec3(matrix * glm::vec4(work.positions[p], 1.0f));
+    }
+    work.inModelSpace = true;
+    work.wasSkinned = true;
+}
+
+void CpuSkinning::deform(Work& work) {
+    const std::span<const Deformer> deformers = work.instance.deformers;
+    for (std::size_t i = 0; i < deformers.size();) {
+        if (deformers[i].kind == Deformer::Kind::Skin) {
+            skin(work, deformers[i++]);
+            continue;
+        }
+        const std::size_t first = i;
+        while (i < deformers.size() && deformers[i].kind == Deformer::Kind::Morph) ++i;
+        morph(work, deformers.subspan(first, i - first));
+    }
+    work.goToModelSpace();
+}
+
+void CpuSkinning::positions(const Model& model, const MeshInstance& instance,
+                            const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
+                            std::vector<glm::vec3>& out) {
+    const MeshData& mesh = model.meshes[index(instance.mesh)];
+    out = mesh.positions;
+    Work work{model, instance, mesh, modelTransforms, parameters, out, nullptr};
+    deform(work);
+}
+
+void CpuSkinning::vertices(const Model& model, const MeshInstance& instance,
+                           const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
+                           std::vector<glm::vec3>& outPositions, std::vector<glm::vec3>& outNormals) {
+    const MeshData& mesh = model.meshes[index(instance.mesh)];
+    assert(mesh.normals.size() == mesh.vertexCount());
+    work_ = mesh.positions;
+    outNormals = mesh.normals;
+    Work work{model, instance, mesh, modelTransforms, parameters, work_, &outNormals};
+    deform(work);
+    for (glm::vec3& normal : outNormals) normal = unit(normal);
+    outPositions.resize(mesh.vertexCount());
+    for (std::size_t v = 0; v < outPositions.size(); ++v) outPositions[v] = work_[mesh.vertexPositions[v]];
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,32 @@
+#include "model/Diagnostic.h"
+
+namespace walkcycle {
+namespace {
+
+const char* nameOf(Severity severity) {
+    switch (severity) {
+        case Severity::Info:
+            return "info";
+        case Severity::Warning:
+            return "warning";
+        case Severity::Error:
+            return "error";
+    }
+    return "error";
+}
+
+}  // namespace
+
+std::string toString(const Diagnostic& diagnostic) {
+    std::string text = diagnostic.file;
+    if (diagnostic.line > 0) text += (text.empty() ? "" : ":") + std::to_string(diagnostic.line);
+    if (!text.empty()) text += ": ";
+    text += nameOf(diagnostic.severity);
+    if (!diagnostic.code.empty()) text += " " + diagnostic.code;
+    text += ": " + diagnostic.message;
+    if (!diagnostic.cure.empty()) text += " (" + diagnostic.cure + ")";
+    if (diagnostic.repeats > 0) text += " [and " + std::to_string(diagnostic.repeats) + " more like it]";
+    return text;
+}
+
+}  // namespace walkcycle
