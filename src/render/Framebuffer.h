@@ -1,0 +1,45 @@
+#pragma once
+
+#include "io/Image.h"
+#include "render/GlObject.h"
+#include "render/RenderTarget.h"
+
+namespace walkcycle {
+
+// A picture to draw into, multisampled. Colours are kept sRGB-encoded; what is drawn and resolved is linear
+// light.
+//
+//     Framebuffer picture(1280, 720);
+//     renderer.render(model, camera, picture);
+//     writeFile("walk.png", encodePng(picture.read()));
+class Framebuffer {
+public:
+    // Takes as many samples as asked for, or as many as there are. Throws
+    // std::runtime_error where the driver refuses the size.
+    Framebuffer(int width, int height, int samples = 4);
+
+    int width() const { return target_.width; }
+    int height() const { return target_.height; }
+    int samples() const { return samples_; }
+    float aspect() const { return target_.aspect(); }
+
+    const RenderTarget& target() const { return target_; }
+    operator RenderTarget() const { return target_; }  // NOLINT: a framebuffer is a place to draw into
+
+    // The picture, rows from the top, with straight alpha: coverage times opacity, and black where it is 0.
+    Image read() const;
+
+private:
+    void resolve() const;
+
+    using Renderbuffer = GlObject<gl::deleteRenderbuffer>;
+    GlObject<gl::deleteFramebuffer> drawn_, resolved_;
+    Renderbuffer color_, depth_, resolvedColor_;
+    RenderTarget target_;
+    int samples_ = 0;
+};
+
+// The largest width or height that a Framebuffer can have here.
+int maxFramebufferSize();
+
+}  // namespace walkcycle
