@@ -15,11 +15,16 @@ struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Reads a whole regular file ("-": standard input). Refuses directories, FIFOs and devices, and files over maxBytes.
+// Reads a whole regular file ("-": standard input). Refuses directories, FIFOs and devices, and files over
+// maxBytes.
 Bytes readFile(const std::string& path, std::uint64_t maxBytes);
 
-// Writes a whole file or nothing: into a temporary file beside it, then renamed over it ("-": standard output).
-// The temporary file is removed when writing fails or the program is interrupted.
+// Writes a whole file or nothing: into a temporary file beside it, then renamed over it ("-": standard
+// output). The temporary file is removed when writing fails or the program is interrupted. A link is
+// followed, not replaced; pipes and devices are written to as they are.
 void writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
+
+// Removes the temporary files of every writeFile that is under way. For signal handlers: async-signal-safe.
+void removeUnfinishedFiles() noexcept;
 
 }  // namespace walkcycle

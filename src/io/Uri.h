@@ -5,7 +5,8 @@
 
 namespace walkcycle {
 
-// A URI reference of a document, taken apart: "../maps/skin%20a.png#x" has path "../maps/skin a.png" and fragment "x".
+// A URI reference of a document, taken apart: "../maps/skin%20a.png#x" has path "../maps/skin a.png" and
+// fragment "x".
 struct Uri {
     std::string scheme;    // lower case; empty for a relative reference
     std::string path;      // percent escapes decoded, back slashes turned round

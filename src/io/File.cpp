@@ -1,0 +1,188 @@
+#include "io/File.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace walkcycle {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+
+[[noreturn]] void fail(const char* what, const std::string& path, const std::string& reason) {
+    throw FileError(std::string("cannot ") + what + " '" + path + "': " + reason);
+}
+
+[[noreturn]] void failWithErrno(const char* what, const std::string& path) {
+    fail(what, path, std::generic_category().message(errno));
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    int get() const { return fd_; }
+    bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+private:
+    int fd_;
+};
+
+// The system would take the path only up to the zero byte, and open another file than the one named.
+void requirePlainPath(const char* what, const std::string& path) {
+    if (path.empty()) fail(what, path, "the name is empty");
+    if (path.find('\0') != std::string::npos)
+        fail(what, path.substr(0, path.find('\0')), "the name holds a zero byte");
+}
+
+const char* kindOfFile(mode_t mode) {
+    if (S_ISDIR(mode)) return "it is a directory";
+    if (S_ISFIFO(mode)) return "it is a pipe";
+    if (S_ISSOCK(mode)) return "it is a socket";
+    return "it is a device";
+}
+
+// Reads to the end; what the system says of the size is a hint only, since files may grow.
+Bytes readAll(int fd, std::uint64_t sizeHint, std::uint64_t maxBytes, const std::string& path) {
+    Bytes bytes;
+    std::size_t used = 0;
+    bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(sizeHint, maxBytes)) + 1);
+    while (true) {
+        if (used == bytes.size()) bytes.resize(used + std::max(kChunk, used / 2));
+        const ssize_t got = ::read(fd, bytes.data() + used, bytes.size() - used);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) failWithErrno("read", path);
+        if (got == 0) break;
+        used += static_cast<std::size_t>(got);
+        if (used > maxBytes)
+            fail("read", path, "it is over the limit of " + std::to_string(maxBytes) + " bytes");
+    }
+    bytes.resize(used);
+    return bytes;
+}
+
+void writeAll(int fd, std::span<const std::uint8_t> bytes, const std::string& path) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) failWithErrno("write", path);
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+}
+
+// Names of temporary files, where a signal handler can find them. Whoever takes a name out of its slot owns
+// it.
+std::array<std::atomic<char*>, 16> unfinishedFiles;
+
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const std::string& path) : path_(path) {
+        char* copy = ::strdup(path.c_str());
+        for (std::atomic<char*>& slot : unfinishedFiles) {
+            char* empty = nullptr;
+            if (slot.compare_exchange_strong(empty, copy)) {
+                slot_ = &slot;
+                return;
+            }
+        }
+        std::free(copy);  // sixteen writers at once: this one is not cleaned up after a signal
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (!finished_) ::unlink(path_.c_str());
+        if (slot_) std::free(slot_->exchange(nullptr));
+    }
+    void finished() { finished_ = true; }
+
+private:
+    std::string path_;
+    std::atomic<char*>* slot_ = nullptr;
+    bool finished_ = false;
+};
+
+// What a link leads to, so that renaming replaces the file and not the link.
+std::string linkTarget(const std::string& path) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+    std::array<char, PATH_MAX> resolved{};
+    return ::realpath(path.c_str(), resolved.data()) ? std::string(resolved.data()) : path;
+}
+
+std::string temporaryNameBeside(const std::string& path) {
+    static std::atomic<unsigned> counter{0};
+    const std::size_t slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+    return folder + ".walkcycle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+}
+
+void writeThrough(const std::string& path, std::span<const std::uint8_t> bytes) {
+    // Without O_NONBLOCK, opening a pipe that nobody reads would wait for ever.
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+    if (file.get() < 0) failWithErrno("write", path);
+    ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) & ~O_NONBLOCK);
+    writeAll(file.get(), bytes, path);
+    if (!file.close()) failWithErrno("write", path);
+}
+
+void writeBesideAndRename(const std::string& path, std::span<const std::uint8_t> bytes, const mode_t* mode) {
+    const std::string temporaryName = temporaryNameBeside(path);
+    TemporaryFile temporary(temporaryName);
+    Descriptor file(::open(temporaryName.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0) failWithErrno("write", path);
+    writeAll(file.get(), bytes, path);
+    if (mode && ::fchmod(file.get(), *mode & 07777) != 0) failWithErrno("write", path);
+    if (!file.close()) failWithErrno("write", path);
+    if (::rename(temporaryName.c_str(), path.c_str()) != 0) failWithErrno("write", path);
+    temporary.finished();
+}
+
+}  // namespace
+
+Bytes readFile(const std::string& path, std::uint64_t maxBytes) {
+    if (path == "-") return readAll(STDIN_FILENO, kChunk, maxBytes, "standard input");
+    requirePlainPath("read", path);
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) failWithErrno("read", path);
+    if (!S_ISREG(status.st_mode)) fail("read", path, kindOfFile(status.st_mode));
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) failWithErrno("read", path);
+    if (!S_ISREG(status.st_mode)) fail("read", path, kindOfFile(status.st_mode));
+    const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
+    if (size > maxBytes) fail("read", path, "it is over the limit of " + std::to_string(maxBytes) + " bytes");
+    return readAll(file.get(), size, maxBytes, path);
+}
+
+void writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
+    if (path == "-") return writeAll(STDOUT_FILENO, bytes, "standard output");
+    requirePlainPath("write", path);
+    const std::string target = linkTarget(path);
+    struct stat status {};
+    if (::stat(target.c_str(), &status) != 0) return writeBesideAndRename(target, bytes, nullptr);
+    if (S_ISDIR(status.st_mode)) fail("write", path, kindOfFile(status.st_mode));
+    if (!S_ISREG(status.st_mode)) return writeThrough(target, bytes);
+    // Renaming asks only the folder; a file that its owner made read-only is to stay.
+    if (::access(target.c_str(), W_OK) != 0) failWithErrno("write", path);
+    writeBesideAndRename(target, bytes, &status.st_mode);
+}
+
+void removeUnfinishedFiles() noexcept {
+    for (std::atomic<char*>& slot : unfinishedFiles)
+        if (char* path = slot.exchange(nullptr)) ::unlink(path);  // not freed: this is a signal handler
+}
+
+}  // namespace walkcycle
