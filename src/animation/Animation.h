@@ -13,14 +13,14 @@ namespace walkcycle {
 // Exactly one of the two lists is in use.
 struct Channel {
     int joint = 0;  // index into Skeleton::joints
-    std::vector<KeyFrame> keyFrames;
-    std::vector<MatrixKeyFrame> matrixKeyFrames;
+    std::vector<KeyFrame> keyFrames{};
+    std::vector<MatrixKeyFrame> matrixKeyFrames{};
 };
 
 // The motion of one number of the model that is not a joint's transform.
 struct ParameterTrack {
     int parameter = 0;  // index into Model::parameters
-    std::vector<ParameterKeyFrame> keyFrames;
+    std::vector<ParameterKeyFrame> keyFrames{};
 };
 
 // A clip: everything that moves between startSeconds and endSeconds of the document's timeline.

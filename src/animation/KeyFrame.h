@@ -7,7 +7,7 @@ namespace walkcycle {
 // A joint's transform at one time of the document's timeline.
 struct KeyFrame {
     double seconds = 0.0;
-    JointTransform transform;
+    JointTransform transform{};
     bool step = false;  // holds until the next key, instead of blending into it
 };
 
