@@ -76,7 +76,7 @@ public:
     Size windowSize() const;
     Size framebufferSize() const;
     double contentScale() const;  // 1 on an ordinary screen, 2 on a high-DPI one
-    double time() const;          // seconds since the window was made
+    double time() const;          // seconds since the first window was made
     std::string description() const;
 
 private:
