@@ -19,13 +19,15 @@ const char* nameOf(Severity severity) {
 
 std::string toString(const Diagnostic& diagnostic) {
     std::string text = diagnostic.file;
-    if (diagnostic.line > 0) text += (text.empty() ? "" : ":") + std::to_string(diagnostic.line);
+    if (diagnostic.line > 0)
+        text.append(text.empty() ? "line " : ":").append(std::to_string(diagnostic.line));
     if (!text.empty()) text += ": ";
     text += nameOf(diagnostic.severity);
-    if (!diagnostic.code.empty()) text += " " + diagnostic.code;
-    text += ": " + diagnostic.message;
-    if (!diagnostic.cure.empty()) text += " (" + diagnostic.cure + ")";
-    if (diagnostic.repeats > 0) text += " [and " + std::to_string(diagnostic.repeats) + " more like it]";
+    if (!diagnostic.code.empty()) text.append(" ").append(diagnostic.code);
+    text.append(": ").append(diagnostic.message);
+    if (!diagnostic.cure.empty()) text.append(" (").append(diagnostic.cure).append(")");
+    if (diagnostic.repeats > 0)
+        text.append(" [and ").append(std::to_string(diagnostic.repeats)).append(" more like it]");
     return text;
 }
 
