@@ -8,7 +8,8 @@
 
 namespace walkcycle {
 
-// A picture in memory: rows from the top, four bytes (red, green, blue, alpha; straight alpha, sRGB) per pixel.
+// A picture in memory: rows from the top, four bytes (red, green, blue, alpha; straight alpha, sRGB) per
+// pixel.
 struct Image {
     int width = 0;
     int height = 0;

@@ -44,11 +44,11 @@ bool startsWithDrive(std::string_view path) {
 
 // "///home/x" is the absolute path /home/x, "///C:/x" the drive's C:/x; and where exporters wrote "//x.png",
 // x.png beside the document is meant, not a host of that name.
-std::string pathOfFileScheme(std::string path) {
+std::string_view pathOfFileScheme(std::string_view path) {
     if (!path.starts_with("//")) return path;
-    path.erase(0, 2);
-    if (path.starts_with("localhost/")) path.erase(0, 9);
-    if (path.starts_with('/') && startsWithDrive(std::string_view(path).substr(1))) path.erase(0, 1);
+    path.remove_prefix(2);
+    if (path.starts_with("localhost/")) path.remove_prefix(9);
+    if (path.starts_with('/') && startsWithDrive(path.substr(1))) path.remove_prefix(1);
     return path;
 }
 
@@ -68,8 +68,7 @@ Uri parseUri(std::string_view text) {
     }
     std::string path(text);
     std::replace(path.begin(), path.end(), '\\', '/');
-    if (uri.scheme == "file") path = pathOfFileScheme(std::move(path));
-    uri.path = percentDecode(path);
+    uri.path = percentDecode(uri.scheme == "file" ? pathOfFileScheme(path) : path);
     return uri;
 }
 
