@@ -1,0 +1,105 @@
+#include "loaders/ColladaDocument.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+
+#include "io/TextEncoding.h"
+#include "loaders/Diagnostics.h"
+
+namespace walkcycle {
+namespace {
+
+int lineAt(std::string_view text, std::size_t offset) {
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+}
+
+std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
+    if (bytes.empty()) diagnostics.fail(Code::NotXml, file, 0, {"the file is empty"});
+    try {
+        bool guessed = false;
+        std::string text = toUtf8(std::move(bytes), &guessed);
+        if (guessed) diagnostics.report(Code::EncodingGuessed, file, 1, {});
+        return text;
+    } catch (const std::runtime_error& error) {
+        diagnostics.fail(Code::BadEncoding, file, 1, {error.what()});
+    }
+}
+
+// What tinyxml2 would take in silence: text after a zero byte, and entities in a DOCTYPE.
+void refuseTricks(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
+        diagnostics.fail(Code::NotXml, file, lineAt(text, zero), {"a zero byte in the text"});
+    const std::size_t doctype = text.find("<!DOCTYPE");
+    const std::size_t root = text.find("<COLLADA");
+    if (doctype == std::string::npos || doctype > root) return;
+    const std::size_t entity = text.find("<!ENTITY", doctype);
+    if (entity < root) diagnostics.fail(Code::EntitiesRefused, file, lineAt(text, entity), {});
+}
+
+std::string describe(const tinyxml2::XMLDocument& xml) {
+    switch (xml.ErrorID()) {
+        case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "an element is not closed, or closed by another's end tag";
+        case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return "there is no element in it";
+        case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "an attribute is not written as name=\"value\"";
+        case tinyxml2::XML_ERROR_PARSING_ELEMENT: return "a tag is cut short or misspelt";
+        case tinyxml2::XML_ERROR_PARSING_TEXT: return "the text ends before its element does";
+        case tinyxml2::XML_ERROR_PARSING_COMMENT: return "a comment has no end";
+        case tinyxml2::XML_ERROR_PARSING_CDATA: return "a CDATA section has no end";
+        default: return "the markup cannot be read";
+    }
+}
+
+// The element after `element` in document order; null at the end. No recursion: the depth is the file's choice.
+const tinyxml2::XMLElement* nextInDocument(const tinyxml2::XMLElement* element) {
+    if (const auto* child = element->FirstChildElement()) return child;
+    for (const tinyxml2::XMLNode* node = element; node; node = node->Parent()) {
+        if (const auto* sibling = node->NextSiblingElement()) return sibling;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits, Diagnostics& diagnostics)
+    : file_(std::move(file)), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
+    if (bytes.size() > limits.maxFileBytes)
+        diagnostics.fail(Code::LimitExceeded, file_, 0,
+                         {"file size", std::to_string(bytes.size()), std::to_string(limits.maxFileBytes)});
+    {
+        const std::string text = decode(std::move(bytes), file_, diagnostics);
+        refuseTricks(text, file_, diagnostics);
+        xml_->Parse(text.data(), text.size());
+    }
+    if (xml_->ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
+        diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(), {});
+    if (xml_->Error()) diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
+    root_ = XmlNode(xml_->RootElement(), this);
+    if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
+    if (!root_.is("COLLADA")) diagnostics.fail(Code::NotCollada, root_, {std::string(root_.name())});
+    indexIds(diagnostics, limits);
+}
+
+ColladaDocument::~ColladaDocument() = default;
+
+void ColladaDocument::indexIds(Diagnostics& diagnostics, const LoadLimits& limits) {
+    std::uint64_t elements = 0;
+    for (const auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
+        if (++elements > limits.maxElements)
+            diagnostics.fail(Code::LimitExceeded, file_, element->GetLineNum(),
+                             {"number of elements", std::to_string(elements), std::to_string(limits.maxElements)});
+        const char* id = element->Attribute("id");
+        if (!id || !*id) continue;
+        const auto [first, isNew] = byId_.try_emplace(id, element);
+        if (!isNew)
+            diagnostics.report(Code::DuplicateId, XmlNode(element, this),
+                               {id, std::to_string(first->second->GetLineNum())});
+    }
+}
+
+XmlNode ColladaDocument::byId(std::string_view id) const {
+    const auto found = byId_.find(id);
+    return found == byId_.end() ? XmlNode() : XmlNode(found->second, this);
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,135 @@
+#include <filesystem>
+#include <unordered_map>
+
+#include "io/Uri.h"
+#include "loaders/ColladaDocument.h"
+#include "loaders/Diagnostics.h"
+#include "loaders/Surroundings.h"
+
+namespace walkcycle {
+namespace fs = std::filesystem;
+
+struct DocumentSet::Impl {
+    const LoadOptions& options;
+    Diagnostics& diagnostics;
+    Surroundings surroundings;
+    std::unordered_map<std::string, std::unique_ptr<ColladaDocument>> documents;  // by path; null: cannot be opened
+
+    const ColladaDocument& add(Bytes bytes, const std::string& file) {
+        auto document = std::make_unique<ColladaDocument>(std::move(bytes), file, options.limits, diagnostics);
+        return *(documents[fs::path(file).lexically_normal().string()] = std::move(document));
+    }
+
+    const ColladaDocument& addRoot(Bytes bytes, const std::string& file) {
+        if (bytes.size() > options.limits.maxFileBytes)
+            diagnostics.fail(Code::LimitExceeded, file, 0,
+                             {"file size", std::to_string(bytes.size()), std::to_string(options.limits.maxFileBytes)});
+        try {
+            if (looksLikeGzip(bytes)) return add(gunzip(bytes, options.limits.archive), file);
+            if (!looksLikeZip(bytes)) return add(std::move(bytes), file);
+            Archive archive(std::move(bytes), options.limits.archive);
+            const std::string member = archive.rootDocument();
+            Bytes document = archive.read(member);
+            surroundings.useArchive(std::move(archive));
+            return add(std::move(document), member);
+        } catch (const ArchiveError& error) {
+            diagnostics.fail(Code::ArchiveBroken, file, 0, {error.what()});
+        }
+    }
+
+    std::optional<Bytes> readInAnyCase(const XmlNode& from, const fs::path& path) const {
+        if (std::optional<Bytes> bytes = surroundings.read(from, path)) return bytes;
+        const std::string name = inAnotherCase(surroundings.list(path.parent_path()), path.filename().string());
+        return name.empty() ? std::nullopt : surroundings.read(from, path.parent_path() / name);
+    }
+
+    // The other document at `path` (relative to that of `from`), opened once; null, reported once, where it cannot be.
+    const ColladaDocument* other(const XmlNode& from, const std::string& path) {
+        const fs::path ownFile(from.file());
+        if (fs::path(path) == ownFile.filename()) return &from.document();  // a document that names itself
+        const fs::path full = (ownFile.parent_path() / path).lexically_normal();
+        if (const auto known = documents.find(full.string()); known != documents.end()) return known->second.get();
+        if (documents.size() > options.limits.maxDocuments)
+            diagnostics.fail(Code::LimitExceeded, from,
+                             {"number of documents", std::to_string(documents.size()),
+                              std::to_string(options.limits.maxDocuments)});
+        documents[full.string()] = nullptr;
+        return open(from, full);
+    }
+
+    const ColladaDocument* open(const XmlNode& from, const fs::path& path) {
+        std::string reason = "there is no such file";
+        try {
+            if (std::optional<Bytes> bytes = readInAnyCase(from, path)) return &add(std::move(*bytes), path.string());
+        } catch (const LoadError& error) {  // what is wrong in it has been reported with its own file and line
+            reason = error.diagnostics.back().message;
+        } catch (const std::runtime_error& error) {  // FileError, ArchiveError
+            reason = error.what();
+        }
+        diagnostics.report(Code::ExternalMissing, from, {path.string(), std::string(from.name()), reason});
+        return nullptr;
+    }
+};
+
+DocumentSet::DocumentSet(const LoadOptions& options, Diagnostics& diagnostics)
+    : impl_(new Impl{options, diagnostics, {options, diagnostics}, {}}) {}
+DocumentSet::~DocumentSet() = default;
+
+const ColladaDocument& DocumentSet::openFile(const std::string& path) {
+    Bytes bytes;
+    try {
+        bytes = readFile(path, impl_->options.limits.maxFileBytes);
+    } catch (const FileError& error) {
+        impl_->diagnostics.fail(Code::FileUnreadable, path, 0, {error.what()});
+    }
+    if (path != "-") impl_->surroundings.useFolder(fs::path(path).parent_path());
+    return impl_->addRoot(std::move(bytes), path);
+}
+
+const ColladaDocument& DocumentSet::openMemory(std::span<const std::uint8_t> bytes, const std::string& name) {
+    return impl_->addRoot(Bytes(bytes.begin(), bytes.end()), name);
+}
+
+XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri) {
+    if (!from || uri.empty()) return {};
+    if (uri.front() == '#') {  // nearly all of them; the id is tried as it stands first
+        const XmlNode here = from.document().byId(uri.substr(1));
+        return here ? here : from.document().byId(percentDecode(uri.substr(1)));
+    }
+    if (uri.find('#') == std::string_view::npos) return from.document().byId(uri);  // "id" for "#id", as a courtesy
+    const Uri parts = parseUri(uri);
+    if (!parts.scheme.empty() && parts.scheme != "file") return {};
+    const ColladaDocument* document = impl_->other(from, parts.path);
+    return document ? document->byId(parts.fragment) : XmlNode();
+}
+
+XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::string_view elementName) {
+    const std::string uri = *attribute ? std::string(from.attribute(attribute)) : from.text();
+    if (uri.empty() && *attribute && !from.has(attribute)) {
+        impl_->diagnostics.report(Code::MissingAttribute, from, {std::string(from.name()), attribute});
+        return {};
+    }
+    const XmlNode target = resolve(from, uri);
+    if (!target) {
+        impl_->diagnostics.report(Code::UnresolvedReference, from, {std::string(from.name()), uri});
+        return {};
+    }
+    if (!elementName.empty() && !target.is(elementName)) {
+        impl_->diagnostics.report(Code::WrongElement, from, {std::string(from.name()), uri, std::string(target.name()),
+                                                             std::string(elementName)});
+        return {};
+    }
+    return target;
+}
+
+std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::string& path, std::string& foundPath) {
+    const fs::path full = fs::path(from.file()).parent_path() / path;
+    foundPath = full.lexically_normal().string();
+    return impl_->surroundings.read(from, full);
+}
+
+std::vector<std::string> DocumentSet::listBeside(const XmlNode& from, const std::string& folder) {
+    return impl_->surroundings.list(fs::path(from.file()).parent_path() / folder);
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,90 @@
+#include "loaders/Surroundings.h"
+
+#include <algorithm>
+
+#include "loaders/Diagnostics.h"
+
+namespace walkcycle {
+namespace fs = std::filesystem;
+namespace {
+
+bool isInside(const fs::path& path, const fs::path& folder) {
+    const auto end = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first;
+    return end == folder.end() || (std::next(end) == folder.end() && end->empty());
+}
+
+std::vector<std::string> namesIn(const Archive& archive, const fs::path& folder) {
+    const fs::path normal = folder.lexically_normal();
+    std::vector<std::string> names;
+    for (const std::string& name : archive.names()) {
+        const fs::path entry(name);
+        if (entry.has_filename() && entry.parent_path() == (normal == "." ? fs::path() : normal))
+            names.push_back(entry.filename().string());
+    }
+    return names;
+}
+
+std::vector<std::string> namesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        if (it->is_regular_file(ignored)) names.push_back(it->path().filename().string());
+    }
+    return names;
+}
+
+char lowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+}  // namespace
+
+void Surroundings::useFolder(const fs::path& folder) {
+    std::error_code error;
+    root_ = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+}
+
+bool Surroundings::mayOpen(const fs::path& path) const {
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(path, error);
+    if (error || !root_) return false;
+    if (isInside(canonical, *root_)) return true;
+    return std::any_of(options_.allowedPaths.begin(), options_.allowedPaths.end(), [&](const std::string& allowed) {
+        return isInside(canonical, fs::weakly_canonical(fs::path(allowed), error));
+    });
+}
+
+std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& path) const {
+    const std::string normal = path.lexically_normal().string();
+    if (archive_) return archive_->contains(normal) ? std::optional(archive_->read(normal)) : std::nullopt;
+    if (options_.resolver) return options_.resolver(normal);
+    if (!root_) return std::nullopt;
+    if (!mayOpen(path)) {
+        diagnostics_.report(Code::ExternalRefused, from, {path.string()});
+        return std::nullopt;
+    }
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return std::nullopt;
+    return readFile(path.string(), options_.limits.maxFileBytes);
+}
+
+std::vector<std::string> Surroundings::list(const fs::path& folder) const {
+    std::vector<std::string> names;
+    if (archive_) {
+        names = namesIn(*archive_, folder);
+    } else if (!options_.resolver && mayOpen(folder)) {
+        names = namesIn(folder);
+    }
+    std::sort(names.begin(), names.end());  // the order of a folder is not the same on every machine
+    return names;
+}
+
+std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name) {
+    const auto same = [&](const std::string& other) {
+        return std::equal(other.begin(), other.end(), name.begin(), name.end(),
+                          [](char a, char b) { return lowerCase(a) == lowerCase(b); });
+    };
+    const auto found = std::find_if(names.begin(), names.end(), same);
+    return found == names.end() ? std::string() : *found;
+}
+
+}  // namespace walkcycle

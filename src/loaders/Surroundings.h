@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/Archive.h"
+#include "loaders/LoadOptions.h"
+#include "loaders/XmlNode.h"
+
+namespace walkcycle {
+
+class Diagnostics;
+
+// The files around a document: the members of its archive, what the caller's resolver gives, or its folder on disk.
+// Nothing outside the document's folder tree is opened unless LoadOptions::allowedPaths has it.
+class Surroundings {
+public:
+    Surroundings(const LoadOptions& options, Diagnostics& diagnostics) : options_(options), diagnostics_(diagnostics) {}
+
+    void useFolder(const std::filesystem::path& folder);
+    void useArchive(Archive archive) { archive_.emplace(std::move(archive)); }
+
+    // The bytes of a regular file; nothing where there is none or it may not be opened (reported at `from`).
+    // Throws FileError or ArchiveError where it is there and cannot be read.
+    std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path) const;
+    // Names of the files in a folder, sorted.
+    std::vector<std::string> list(const std::filesystem::path& folder) const;
+
+private:
+    bool mayOpen(const std::filesystem::path& path) const;
+
+    const LoadOptions& options_;
+    Diagnostics& diagnostics_;
+    std::optional<Archive> archive_;
+    std::optional<std::filesystem::path> root_;  // canonical; none: a document in memory, with no files around it
+};
+
+// The one of `names` that differs from `name` in case alone (Windows and macOS do not tell them apart); empty if none.
+std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name);
+
+}  // namespace walkcycle

@@ -1,0 +1,113 @@
+#include "loaders/XmlNode.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "loaders/ColladaDocument.h"
+#include "loaders/NumberParser.h"
+
+namespace walkcycle {
+namespace {
+
+std::string_view localName(const char* qualified) {
+    const std::string_view name(qualified);
+    const std::size_t colon = name.rfind(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+// "geometry[id=body]", or "node[sid=hip]", or the plain name.
+std::string step(const XmlNode& node) {
+    std::string text(node.name());
+    if (!node.id().empty()) return text + "[id=" + std::string(node.id()) + "]";
+    if (!node.sid().empty()) return text + "[sid=" + std::string(node.sid()) + "]";
+    return text;
+}
+
+}  // namespace
+
+std::string_view XmlNode::name() const { return element_ ? localName(element_->Name()) : std::string_view(); }
+
+bool XmlNode::has(const char* attributeName) const { return element_ && element_->Attribute(attributeName); }
+
+std::string_view XmlNode::attribute(const char* attributeName) const {
+    const char* value = element_ ? element_->Attribute(attributeName) : nullptr;
+    return value ? std::string_view(value) : std::string_view();
+}
+
+XmlNode XmlNode::parent() const {
+    const tinyxml2::XMLNode* up = element_ ? element_->Parent() : nullptr;
+    return up && up->ToElement() ? XmlNode(up->ToElement(), document_) : XmlNode();
+}
+
+XmlNode XmlNode::firstChild() const {
+    const tinyxml2::XMLElement* found = element_ ? element_->FirstChildElement() : nullptr;
+    return found ? XmlNode(found, document_) : XmlNode();
+}
+
+XmlNode XmlNode::nextSibling() const {
+    const tinyxml2::XMLElement* found = element_ ? element_->NextSiblingElement() : nullptr;
+    return found ? XmlNode(found, document_) : XmlNode();
+}
+
+XmlNode XmlNode::child(std::string_view elementName) const {
+    const XmlNode first = firstChild();
+    return !first || first.is(elementName) ? first : first.nextSibling(elementName);
+}
+
+XmlNode XmlNode::nextSibling(std::string_view elementName) const {
+    XmlNode sibling = nextSibling();
+    while (sibling && !sibling.is(elementName)) sibling = sibling.nextSibling();
+    return sibling;
+}
+
+XmlNode::Range XmlNode::children(std::string_view elementName) const {
+    return {elementName.empty() ? firstChild() : child(elementName), elementName};
+}
+
+std::string_view XmlNode::rawText(std::string& joined) const {
+    const tinyxml2::XMLText* only = nullptr;
+    joined.clear();
+    int pieces = 0;
+    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling()) {
+        const tinyxml2::XMLText* text = node->ToText();
+        if (!text) continue;  // comments and elements do not end a list
+        if (++pieces == 1) {
+            only = text;
+            continue;
+        }
+        if (pieces == 2) joined = only->Value();
+        joined += text->Value();
+    }
+    if (pieces == 0) return {};
+    return pieces == 1 ? std::string_view(only->Value()) : std::string_view(joined);
+}
+
+int XmlNode::textLine() const {
+    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling())
+        if (node->ToText()) return node->GetLineNum();
+    return line();
+}
+
+std::string XmlNode::text() const {
+    std::string joined;
+    return std::string(trim(rawText(joined)));
+}
+
+int XmlNode::line() const { return element_ ? element_->GetLineNum() : 0; }
+
+std::string XmlNode::path() const {
+    std::vector<std::string> steps;
+    for (XmlNode node = *this; node; node = node.parent()) steps.push_back(step(node));
+    std::string path;
+    for (auto it = steps.rbegin(); it != steps.rend(); ++it) path += (path.empty() ? "" : "/") + *it;
+    return path;
+}
+
+const std::string& XmlNode::file() const {
+    static const std::string kNone;
+    return document_ ? document_->file() : kNone;
+}
+
+}  // namespace walkcycle
