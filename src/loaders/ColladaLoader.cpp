@@ -1,0 +1,117 @@
+#include "loaders/ColladaLoader.h"
+
+#include "loaders/AnimationLoader.h"
+#include "loaders/AssetReader.h"
+#include "loaders/ControllerLoader.h"
+#include "loaders/MaterialLoader.h"
+#include "loaders/SceneLoader.h"
+
+namespace walkcycle {
+namespace {
+
+void checkVersion(XmlNode collada, const LoadContext& context) {
+    const std::string version(collada.attribute("version"));
+    if (version.rfind("1.3", 0) == 0 || version.rfind("1.2", 0) == 0 || version.rfind("1.1", 0) == 0)
+        context.diagnostics.fail(Code::Version13, collada, {version});
+    if (version.rfind("1.4", 0) != 0 && version.rfind("1.5", 0) != 0)
+        context.diagnostics.report(Code::UnknownVersion, collada, {version});
+}
+
+// One drawn mesh: an <instance_geometry>, or an <instance_controller> with the mesh beneath its deformers.
+class InstanceLoader {
+public:
+    InstanceLoader(const LoadContext& context, MeshLibrary& meshes, ControllerLoader& controllers, MaterialLoader& materials,
+                   Model& model)
+        : context_(context), meshes_(meshes), controllers_(controllers), materials_(materials), model_(model) {}
+
+    void add(const SceneGraph::Instance& source) {
+        MeshInstance instance;
+        instance.node = source.node;
+        instance.sourceUrl = source.element.attribute("url");
+        const XmlNode geometry = source.element.is("instance_controller")
+                                     ? controllers_.load(source, instance)
+                                     : context_.documents.follow(source.element, "url", "geometry");
+        if (!geometry) return;
+        const MeshData& mesh = meshes_.load(geometry).mesh;
+        vertices_ += mesh.vertexCount();
+        const LoadLimits& limits = context_.options.limits;
+        context_.require(vertices_, limits.maxVertices, "number of vertices", source.element);
+        context_.require(model_.instances.size() + 1, limits.maxInstances, "number of drawn meshes", source.element);
+        instance.mesh = meshes_.drawn(geometry);
+        instance.materials = materials_.bind(source.element, mesh);
+        model_.instances.push_back(std::move(instance));
+    }
+
+private:
+    const LoadContext& context_;
+    MeshLibrary& meshes_;
+    ControllerLoader& controllers_;
+    MaterialLoader& materials_;
+    Model& model_;
+    std::uint64_t vertices_ = 0;
+};
+
+void report(const LoadContext& context, double done) {
+    if (context.options.progress) context.options.progress(done);
+}
+
+// The page of the file format: each library in the order in which the next one needs it.
+void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
+    checkVersion(collada, context);
+    model.asset = readAsset(collada, context);
+    if (context.options.convert)
+        model.skeleton.rootTransform = glm::mat4(toMetresYUp(model.asset.metersPerUnit, model.asset.upAxis));
+
+    const XmlNode visualScene = findVisualScene(collada, context);
+    model.sceneId = visualScene.id();
+    SkeletonLoader skeletons(context, model.asset, collada);
+    skeletons.addScene(visualScene);
+    report(context, 0.2);
+
+    AnimationTargets targets;
+    MeshLibrary meshes(context, model.asset, collada);
+    MaterialLoader materials(context, model);
+    ControllerLoader controllers(context, meshes, skeletons, model, targets);
+    InstanceLoader instances(context, meshes, controllers, materials, model);
+    SceneGraph& scene = skeletons.scene();
+    for (const SceneGraph::Instance& source : scene.geometries) instances.add(source);
+    for (const SceneGraph::Instance& source : scene.controllers) instances.add(source);
+    meshes.moveInto(model);
+    report(context, 0.7);
+
+    loadCameras(scene, context, model, targets);
+    loadLights(scene, context, model, targets);
+    targets.materials = materials.elements();
+    model.skeleton.joints = scene.skeleton.joints;
+    model.nodeVisible.assign(model.skeleton.joints.size(), true);
+    for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;
+    loadAnimations(collada, scene, targets, context, model);
+    report(context, 1.0);
+}
+
+template <typename Open>
+Model load(const std::string& file, const LoadOptions& options, Open open) {
+    Diagnostics diagnostics;
+    DocumentSet documents(options, diagnostics);
+    SourceReader sources(documents, diagnostics);
+    const LoadContext context{options, diagnostics, documents, sources};
+    Model model;
+    model.file = file;
+    const XmlNode collada = open(documents).root();
+    context.checkCancelled(collada);
+    loadModel(collada, context, model);
+    model.diagnostics = diagnostics.take();
+    return model;
+}
+
+}  // namespace
+
+Model loadCollada(const std::string& path, const LoadOptions& options) {
+    return load(path, options, [&](DocumentSet& set) -> const ColladaDocument& { return set.openFile(path); });
+}
+
+Model loadCollada(std::span<const std::uint8_t> bytes, const std::string& name, const LoadOptions& options) {
+    return load(name, options, [&](DocumentSet& set) -> const ColladaDocument& { return set.openMemory(bytes, name); });
+}
+
+}  // namespace walkcycle

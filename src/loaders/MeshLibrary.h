@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "loaders/GeometryLoader.h"
+#include "loaders/LoadContext.h"
+#include "model/Model.h"
+
+namespace walkcycle {
+
+// The geometries of a load, each read once however often it is instanced or morphed to.
+class MeshLibrary {
+public:
+    MeshLibrary(const LoadContext& context, const Asset& asset, XmlNode rootCollada)
+        : context_(context), asset_(asset), rootCollada_(rootCollada) {}
+
+    const LoadedMesh& load(XmlNode geometry);
+
+    // Its index in Model::meshes, where moveInto puts it: the meshes that are drawn, not those only morphed to.
+    int drawn(XmlNode geometry);
+    void moveInto(Model& model);
+
+private:
+    const LoadContext& context_;
+    const Asset& asset_;
+    XmlNode rootCollada_;
+    std::unordered_map<XmlNode, std::unique_ptr<LoadedMesh>> meshes_;
+    std::unordered_map<XmlNode, int> indices_;
+    std::vector<LoadedMesh*> drawn_;
+};
+
+}  // namespace walkcycle

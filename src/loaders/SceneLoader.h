@@ -1,0 +1,18 @@
+#pragma once
+
+#include "loaders/AnimationLoader.h"
+#include "loaders/LoadContext.h"
+#include "loaders/SceneGraph.h"
+#include "model/Model.h"
+
+namespace walkcycle {
+
+// The <visual_scene> to show: the one that the options name, or <scene> does, or the first. Throws LoadError where
+// there is none.
+XmlNode findVisualScene(XmlNode collada, const LoadContext& context);
+
+// The scene's cameras and lights, and their elements for the channels that animate them.
+void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets);
+void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets);
+
+}  // namespace walkcycle

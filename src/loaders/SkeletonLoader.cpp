@@ -1,0 +1,88 @@
+#include "loaders/SkeletonLoader.h"
+
+#include <algorithm>
+
+#include "loaders/AssetReader.h"
+
+namespace walkcycle {
+
+void SkeletonLoader::addScene(XmlNode visualScene) {
+    for (XmlNode node : visualScene.children("node")) add({node, kNoParent, rootCollada_}, true);
+}
+
+int SkeletonLoader::addUndrawn(XmlNode node) {
+    const int joint = static_cast<int>(scene_.skeleton.joints.size());
+    add({node, kNoParent, rootCollada_}, false);
+    return joint;
+}
+
+// Depth first with a stack of our own: how deep the tree is, and how often <instance_node> multiplies it, is the
+// file's choice, and the limit on nodes bounds both.
+void SkeletonLoader::add(const Visit& root, bool drawn) {
+    std::vector<Visit> waiting{root};
+    while (!waiting.empty()) {
+        const Visit visit = waiting.back();
+        waiting.pop_back();
+        const int joint = addJoint(visit, drawn);
+        if (drawn) addInstances(visit.node, joint);
+        const std::vector<Visit> children = childrenOf(visit.node, joint);
+        waiting.insert(waiting.end(), children.rbegin(), children.rend());
+        context_.require(scene_.nodes.size() + waiting.size(), context_.options.limits.maxNodes, "number of scene nodes",
+                         visit.node);
+    }
+}
+
+int SkeletonLoader::addJoint(const Visit& visit, bool drawn) {
+    const XmlNode node = visit.node;
+    const int index = static_cast<int>(scene_.nodes.size());
+    TransformStack stack = readTransformStack(node, context_.diagnostics);
+    const glm::dmat4 outer = assetConversion(node, visit.around, asset_, rootCollada_);
+
+    Joint joint;
+    joint.name = node.attribute("name");
+    joint.id = node.id();
+    joint.sid = node.sid();
+    joint.parent = visit.parent;
+    joint.isJoint = node.attribute("type") == "JOINT";
+    joint.localBindTransform = glm::mat4(outer * stack.toMatrix());
+    scene_.skeleton.joints.push_back(std::move(joint));
+    scene_.nodes.push_back(node);
+    scene_.stacks.push_back(std::move(stack));
+    scene_.outer.push_back(outer);
+    scene_.drawn.push_back(drawn);
+    scene_.occurrences.emplace(node, index);
+    return index;
+}
+
+void SkeletonLoader::addInstances(XmlNode node, int joint) {
+    for (XmlNode element : node.children()) {
+        if (element.is("instance_geometry")) scene_.geometries.push_back({joint, element});
+        if (element.is("instance_controller")) scene_.controllers.push_back({joint, element});
+        if (element.is("instance_camera")) scene_.cameras.push_back({joint, element});
+        if (element.is("instance_light")) scene_.lights.push_back({joint, element});
+    }
+}
+
+std::vector<SkeletonLoader::Visit> SkeletonLoader::childrenOf(XmlNode node, int joint) {
+    std::vector<Visit> children;
+    for (XmlNode element : node.children()) {
+        if (element.is("node")) children.push_back({element, joint, node});
+        if (!element.is("instance_node")) continue;
+        const XmlNode target = context_.documents.follow(element, "url", "node");
+        if (target && isInside(target, joint))
+            context_.diagnostics.report(Code::ReferenceLoop, element,
+                                        {"instance_node", std::string(element.attribute("url"))});
+        else if (target)
+            children.push_back({target, joint, node});
+    }
+    return children;
+}
+
+// Whether `joint` is an occurrence of `node` or inside one: instancing `node` there would never end.
+bool SkeletonLoader::isInside(XmlNode node, int joint) const {
+    for (; joint != kNoParent; joint = scene_.skeleton.joints[static_cast<std::size_t>(joint)].parent)
+        if (scene_.nodes[static_cast<std::size_t>(joint)] == node) return true;
+    return false;
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,141 @@
+#include "loaders/SkinLoader.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include <cmath>
+#include <unordered_set>
+
+#include "loaders/SkinNodeQuirk.h"
+#include "loaders/WeightsReader.h"
+
+namespace walkcycle {
+namespace {
+
+// The file writes matrices row by row; glm keeps columns. The last row of an affine matrix is 0 0 0 1.
+template <typename T>
+glm::mat4 affineFromRows(const T* rows) {
+    glm::mat4 matrix(1.0f);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column) matrix[column][row] = static_cast<float>(rows[row * 4 + column]);
+    return matrix;
+}
+
+// Relative to the matrix's own size, so that small units do not look singular.
+bool isSingular(const glm::mat4& matrix) {
+    const double size = std::max({glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
+                                  glm::length(glm::dvec3(matrix[2]))});
+    return !(std::abs(glm::determinant(glm::dmat3(matrix))) > 1e-9 * size * size * size);
+}
+
+glm::mat4 readBindShapeMatrix(XmlNode skin, const LoadContext& context) {
+    const XmlNode element = skin.child("bind_shape_matrix");
+    if (!element) return glm::mat4(1.0f);
+    const std::vector<double> values = readDoubles(element, context.diagnostics, Numbers::Error);
+    if (values.size() != 16) {
+        context.diagnostics.report(Code::CountMismatch, element,
+                                   {"bind_shape_matrix", "16", "values", std::to_string(values.size())});
+        return glm::mat4(1.0f);
+    }
+    const glm::mat4 matrix = affineFromRows(values.data());
+    if (isSingular(matrix)) context.diagnostics.report(Code::SingularBindMatrix, element, {"bind shape matrix"});
+    return matrix;
+}
+
+void readInverseBindMatrices(const Input& input, const LoadContext& context, SkinData& data) {
+    const auto source = input.source ? context.sources.floats(input.source, Numbers::Error) : nullptr;
+    if (!source) return;
+    if (source->width != 16) {
+        context.diagnostics.report(Code::CountMismatch, source->element,
+                                   {"source of INV_BIND_MATRIX", "16", "values an entry", std::to_string(source->width)});
+        return;
+    }
+    bool singular = false;
+    for (std::size_t i = 0; i < source->count(); ++i) {
+        data.inverseBindMatrices.push_back(affineFromRows((*source)[i]));
+        singular |= isSingular(data.inverseBindMatrices.back());
+    }
+    if (singular) context.diagnostics.report(Code::SingularBindMatrix, source->element, {"inverse bind matrix"});
+}
+
+void readJointNames(const Input& input, const LoadContext& context, SkinData& data) {
+    const auto names = input.source ? context.sources.names(input.source, data.namesAreIds) : nullptr;
+    if (names) data.jointNames = names->values;
+    std::unordered_set<std::string_view> seen;
+    for (const std::string& name : data.jointNames)
+        if (!seen.insert(name).second) context.diagnostics.report(Code::DuplicateJoint, input.element, {name});
+}
+
+// Takes the matrices of the rest pose where the file gives none.
+glm::mat4 restInverseBind(const SceneGraph& scene, int joint) {
+    glm::dmat4 world(1.0);
+    for (; joint != kNoParent; joint = scene.skeleton.joints[static_cast<std::size_t>(joint)].parent)
+        world = glm::dmat4(scene.skeleton.joints[static_cast<std::size_t>(joint)].localBindTransform) * world;
+    return std::abs(glm::determinant(world)) > 1e-30 ? glm::mat4(glm::inverse(world)) : glm::mat4(1.0f);
+}
+
+void placeByNode(const SceneGraph::Instance& instance, int ancestor, const Asset& asset, const LoadContext& context,
+                 Skin& skin) {
+    skin.placedBy = instance.node;
+    skin.placedRelativeTo = ancestor;
+    const std::string node(instance.element.parent().attribute("name"));
+    context.diagnostics.report(Code::SkinNodeApplied, instance.element, {node, asset.authoringTool});
+}
+
+}  // namespace
+
+bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& context, Model& model, SkinData& data) {
+    data.skin = skin;
+    data.bindShapeMatrix = readBindShapeMatrix(skin, context);
+    const XmlNode joints = skin.child("joints");
+    if (!joints) context.diagnostics.report(Code::MissingElement, skin, {"skin", "joints"});
+    bool hasNames = false;
+    for (const Input& input : readInputs(joints, context.documents, context.diagnostics)) {
+        if (input.semantic == "JOINT") readJointNames(input, context, data), hasNames = true;
+        if (input.semantic == "INV_BIND_MATRIX") readInverseBindMatrices(input, context, data);
+    }
+    if (joints && !hasNames)
+        context.diagnostics.report(Code::MissingElement, joints, {"joints", "input semantic=\"JOINT\""});
+    if (data.inverseBindMatrices.empty() && hasNames)
+        context.diagnostics.report(Code::InverseBindMissing, joints, {});
+    else if (data.inverseBindMatrices.size() != data.jointNames.size())
+        context.diagnostics.report(Code::JointMatrixMismatch, joints,
+                                   {std::to_string(data.jointNames.size()), std::to_string(data.inverseBindMatrices.size())});
+
+    const XmlNode weights = skin.child("vertex_weights");
+    if (!weights) context.diagnostics.report(Code::MissingElement, skin, {"skin", "vertex_weights"});
+    if (!weights || data.jointNames.empty()) return false;
+    data.influences = static_cast<int>(model.influences.size());
+    model.influences.push_back(readWeights(weights, positionCount, data.jointNames.size(), context));
+    return true;
+}
+
+Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints, SceneGraph& scene,
+              const LoadContext& context, const Asset& asset) {
+    Skin skin;
+    skin.bindShapeMatrix = data.bindShapeMatrix;
+    const std::vector<int> roots = joints.skeletonRoots(instance.element);
+    int shared = instance.node;
+    for (std::size_t i = 0; i < data.jointNames.size(); ++i) {
+        const std::string& name = data.jointNames[i];
+        int joint = joints.find(name, data.namesAreIds, roots, instance.node, data.skin);
+        const bool found = joint != kNoParent;
+        if (!found) {
+            context.diagnostics.report(Code::JointNotFound, data.skin, {name});
+            joint = instance.node;  // what hangs on it stays with the skin's node, as if it had no weight
+        } else {
+            shared = joints.nearestCommonAncestor(shared, joint);
+        }
+        skin.joints.push_back(joint);
+        glm::mat4 inverseBind(1.0f);
+        if (found && i < data.inverseBindMatrices.size()) inverseBind = data.inverseBindMatrices[i];
+        if (found && data.inverseBindMatrices.empty()) inverseBind = restInverseBind(scene, joint);
+        skin.inverseBindMatrices.push_back(inverseBind);
+    }
+    skin.joints.push_back(instance.node);
+    skin.inverseBindMatrices.emplace_back(1.0f);
+    if (nodePlacesSkin(asset.authoringTool, context.options.skinNode) && shared != instance.node)
+        placeByNode(instance, shared, asset, context, skin);
+    return skin;
+}
+
+}  // namespace walkcycle
