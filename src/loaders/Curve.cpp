@@ -20,7 +20,8 @@ double cubicSlope(double a, double b, double c, double d, double s) {
 // Row by row, as a <matrix> of the file holds it.
 void writeRows(const glm::dmat4& matrix, std::span<double> out) {
     for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) out[static_cast<std::size_t>(row * 4 + column)] = matrix[column][row];
+        for (int column = 0; column < 4; ++column)
+            out[static_cast<std::size_t>(row * 4 + column)] = matrix[column][row];
 }
 
 }  // namespace
@@ -44,11 +45,12 @@ double bezierParameter(double a, double b, double c, double d, double seconds) {
 }
 
 Curve::Place Curve::placeOf(double seconds, Side side) const {
-    const bool early = seconds < start(), late = seconds > end();
+    const bool early = seconds<start(), late = seconds> end();
     const double length = end() - start();
     const Infinity infinity = early ? before : after;
     if (!(early || late)) return {seconds, side};
-    if (infinity == Infinity::Constant || !(length > 0.0)) return {early ? start() : end(), early ? Side::Right : side};
+    if (infinity == Infinity::Constant || !(length > 0.0))
+        return {early ? start() : end(), early ? Side::Right : side};
     if (infinity == Infinity::Linear)
         return {early ? start() : end(), side, 0.0, early ? seconds - start() : seconds - end()};
 
@@ -82,7 +84,8 @@ void Curve::evaluateInside(double seconds, Side side, std::span<double> out) con
     }
     const std::size_t k = segmentAt(seconds, side);
     const double length = times[k + 1] - times[k];
-    const double progression = length > 0.0 ? (seconds - times[k]) / length : (side == Side::Left ? 0.0 : 1.0);
+    const double progression =
+        length > 0.0 ? (seconds - times[k]) / length : (side == Side::Left ? 0.0 : 1.0);
     const double* a = &values[k * width];
     if (segments[k].kind == Kind::Step || progression <= 0.0) {
         std::copy_n(a, width, out.begin());
@@ -111,7 +114,8 @@ void Curve::evaluate(double seconds, Side side, std::span<double> out) const {
 double Curve::slope(bool atEnd, std::size_t component) const {
     if (segments.empty()) return 0.0;
     const std::size_t k = atEnd ? segments.size() - 1 : 0;
-    glm::dvec2 a(times[k], values[k * width + component]), b(times[k + 1], values[(k + 1) * width + component]);
+    glm::dvec2 a(times[k], values[k * width + component]),
+        b(times[k + 1], values[(k + 1) * width + component]);
     if (segments[k].kind == Kind::Step) return 0.0;
     if (segments[k].kind == Kind::Bezier) {
         const glm::dvec2 handle = handles[segments[k].handles + 2 * component + (atEnd ? 1 : 0)];
@@ -147,7 +151,8 @@ void Curve::knots(double from, double to, std::size_t limit, std::vector<double>
     if (length > 0.0 && repeats(after)) last = std::max(0.0, std::ceil((to - end()) / length));
     for (double cycle = first; cycle <= last && out.size() < most; cycle += 1.0) {
         const Infinity infinity = cycle < 0.0 ? before : after;
-        const bool reversed = cycle != 0.0 && infinity == Infinity::Oscillate && std::fmod(std::abs(cycle), 2.0) == 1.0;
+        const bool reversed =
+            cycle != 0.0 && infinity == Infinity::Oscillate && std::fmod(std::abs(cycle), 2.0) == 1.0;
         for (std::size_t i = 0; i < times.size() && out.size() < most; ++i) {
             const double within = reversed ? end() - times[times.size() - 1 - i] : times[i] - start();
             const double knot = cycle == 0.0 ? times[i] : start() + cycle * length + within;

@@ -27,12 +27,12 @@ public:
         std::size_t handles = 0;  // Bezier: where its 2 * width handles start, those of a component together
     };
 
-    std::size_t width = 1;       // numbers per key
-    std::vector<double> times;   // seconds, never falling; two equal ones are a jump
-    std::vector<double> values;  // width per key
-    std::vector<Segment> segments;       // one less than keys
-    std::vector<glm::dvec2> handles;     // (seconds, value) of the Beziers' inner control points
-    std::vector<MatrixParts> parts;      // one per key, where the values are whole matrices: LINEAR blends these
+    std::size_t width = 1;            // numbers per key
+    std::vector<double> times;        // seconds, never falling; two equal ones are a jump
+    std::vector<double> values;       // width per key
+    std::vector<Segment> segments;    // one less than keys
+    std::vector<glm::dvec2> handles;  // (seconds, value) of the Beziers' inner control points
+    std::vector<MatrixParts> parts;   // one per key, where the values are whole matrices: LINEAR blends these
     Infinity before = Infinity::Constant, after = Infinity::Constant;
 
     double start() const { return times.front(); }
@@ -54,8 +54,8 @@ private:
     struct Place {  // a time, brought back to within the keys
         double seconds = 0.0;
         Side side = Side::Right;
-        double cycles = 0.0;   // CycleRelative: how many times the curve's own rise is added
-        double beyond = 0.0;   // Linear: seconds past the end
+        double cycles = 0.0;  // CycleRelative: how many times the curve's own rise is added
+        double beyond = 0.0;  // Linear: seconds past the end
     };
     Place placeOf(double seconds, Side side) const;
     std::size_t segmentAt(double seconds, Side side) const;

@@ -23,7 +23,8 @@ struct Points {
 
 // What the file gives for a key: for BEZIER a control point, for HERMITE a tangent. Tangents of one number have
 // no time of their own: it runs evenly, control points then stand at the thirds.
-glm::dvec2 tangent(const CurveKeys& keys, bool incoming, std::size_t key, std::size_t component, double evenTime) {
+glm::dvec2 tangent(const CurveKeys& keys, bool incoming, std::size_t key, std::size_t component,
+                   double evenTime) {
     const double* numbers = (incoming ? keys.inTangents : keys.outTangents).data() + key * keys.tangentWidth;
     if (keys.tangentWidth == 2 * keys.width) return {numbers[2 * component], numbers[2 * component + 1]};
     if (keys.tangentWidth == keys.width + 1) return {numbers[0], numbers[1 + component]};

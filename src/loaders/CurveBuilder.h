@@ -16,7 +16,8 @@ struct CurveKeys {
     std::size_t width = 1;  // numbers per key of `values`
     std::vector<double> times, values;
     std::vector<Interpolation> interpolations;
-    std::size_t tangentWidth = 0;  // 2 * width: (seconds, value) each; width: values; width + 1: one time for all
+    std::size_t tangentWidth =
+        0;  // 2 * width: (seconds, value) each; width: values; width + 1: one time for all
     std::vector<double> inTangents, outTangents;  // empty: none
 };
 

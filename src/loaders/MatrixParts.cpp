@@ -39,8 +39,10 @@ MatrixParts partsOf(const glm::dmat4& matrix, const glm::dquat& near) {
     const glm::dvec3 z = across(linear[2], glm::length(x) > 0.0 ? x : y, smallest);
     const bool noX = x == glm::dvec3(0.0), noY = y == glm::dvec3(0.0), noZ = z == glm::dvec3(0.0);
     parts.turns = int(noX) + int(noY) + int(noZ) <= 1;
-    if (noX && !noY && !noZ) x = glm::cross(y, across(z, y, 0.0));
-    else if (noX) x = noY && !noZ ? across(open[0], z, 1e-6) : across(open[0], y, 1e-6);
+    if (noX && !noY && !noZ)
+        x = glm::cross(y, across(z, y, 0.0));
+    else if (noX)
+        x = noY && !noZ ? across(open[0], z, 1e-6) : across(open[0], y, 1e-6);
     if (x == glm::dvec3(0.0)) x = across(open[1], noY ? z : y, 1e-6);
     if (noY && !noZ) y = glm::cross(z, x);
     y = across(y, x, 1e-12);
@@ -48,7 +50,8 @@ MatrixParts partsOf(const glm::dmat4& matrix, const glm::dquat& near) {
     if (y == glm::dvec3(0.0)) y = across(open[2], x, 1e-6);
 
     glm::dmat3 axes(x, y, glm::cross(x, y));
-    if (!noX && !noY && !noZ && glm::determinant(linear) < 0.0) axes[0] = -axes[0], axes[2] = glm::cross(axes[0], axes[1]);
+    if (!noX && !noY && !noZ && glm::determinant(linear) < 0.0)
+        axes[0] = -axes[0], axes[2] = glm::cross(axes[0], axes[1]);
     parts.rotation = glm::normalize(glm::quat_cast(axes));
     if (glm::dot(parts.rotation, near) < 0.0) parts.rotation = -parts.rotation;
     parts.stretch = glm::transpose(axes) * linear;
@@ -69,7 +72,8 @@ glm::dquat turn(const glm::dquat& a, const glm::dquat& b, double progression) {
     cosine = std::min(std::abs(cosine), 1.0);
     if (cosine > 1.0 - 1e-12) return glm::normalize(a * (1.0 - progression) + nearest * progression);
     const double angle = std::acos(cosine);
-    return (a * std::sin((1.0 - progression) * angle) + nearest * std::sin(progression * angle)) / std::sin(angle);
+    return (a * std::sin((1.0 - progression) * angle) + nearest * std::sin(progression * angle)) /
+           std::sin(angle);
 }
 
 }  // namespace walkcycle

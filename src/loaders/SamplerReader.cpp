@@ -1,0 +1,205 @@
+#include "loaders/SamplerReader.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "loaders/Source.h"
+
+namespace walkcycle {
+
+namespace {
+
+std::optional<Interpolation> interpolationNamed(std::string_view name) {
+    static constexpr std::pair<std::string_view, Interpolation> kNames[] = {
+        {"LINEAR", Interpolation::Linear},     {"STEP", Interpolation::Step},
+        {"BEZIER", Interpolation::Bezier},     {"HERMITE", Interpolation::Hermite},
+        {"CARDINAL", Interpolation::Cardinal}, {"BSPLINE", Interpolation::BSpline}};
+    for (const auto& [known, interpolation] : kNames)
+        if (name == known) return interpolation;
+    return std::nullopt;
+}
+
+// By the names of Maya and FCollada, and by those of COLLADA 1.5's pre_behavior.
+Infinity infinityNamed(std::string_view name) {
+    if (name == "LINEAR" || name == "GRADIENT") return Infinity::Linear;
+    if (name == "CYCLE") return Infinity::Cycle;
+    if (name == "CYCLE_RELATIVE") return Infinity::CycleRelative;
+    if (name == "OSCILLATE") return Infinity::Oscillate;
+    return Infinity::Constant;
+}
+
+// Exporters write it into a <technique> of the INPUT source (or its <extra>), or into the sampler's <extra>.
+Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const char* attribute) {
+    if (sampler.has(attribute)) return infinityNamed(sampler.attribute(attribute));
+    for (XmlNode holder : {input, input.child("extra"), sampler.child("extra")})
+        for (XmlNode technique : holder.children("technique"))
+            if (XmlNode found = technique.child(element)) return infinityNamed(found.text());
+    return Infinity::Constant;
+}
+
+bool needsTangents(Interpolation i) {
+    return i == Interpolation::Bezier || i == Interpolation::Hermite;
+}
+
+// Numbers per key. Some exporters forget the stride and count each number of a matrix or vector as an entry.
+std::size_t widthOf(const DoubleSource& source, std::size_t keyCount) {
+    const std::size_t perKey = keyCount ? source.values.size() / keyCount : 0;
+    const bool forgotten = source.width == 1 && keyCount && source.values.size() % keyCount == 0;
+    return forgotten && (perKey == 3 || perKey == 4 || perKey == 16) ? perKey : source.width;
+}
+
+// Keeps the keys that `order` names, in that order.
+void reorder(CurveKeys& keys, const std::vector<std::size_t>& order) {
+    const auto pick = [&](std::vector<double>& list, std::size_t width) {
+        if (list.empty()) return;
+        std::vector<double> picked;
+        picked.reserve(order.size() * width);
+        for (std::size_t i : order)
+            for (std::size_t c = 0; c < width; ++c) picked.push_back(list[i * width + c]);
+        list = std::move(picked);
+    };
+    std::vector<Interpolation> interpolations;
+    for (std::size_t i : order) interpolations.push_back(keys.interpolations[i]);
+    keys.interpolations = std::move(interpolations);
+    pick(keys.times, 1);
+    pick(keys.values, keys.width);
+    pick(keys.inTangents, keys.tangentWidth);
+    pick(keys.outTangents, keys.tangentWidth);
+}
+
+}  // namespace
+
+std::string samplerName(XmlNode sampler) {
+    for (XmlNode node = sampler; node; node = node.parent())
+        if (!node.id().empty()) return std::string(node.id());
+    return "(without id)";
+}
+
+int SamplerReader::read(XmlNode sampler) {
+    if (const auto known = read_.find(sampler); known != read_.end()) return known->second;
+    CurveKeys keys;
+    int index = -1;
+    if (readKeys(sampler, keys)) {
+        index = static_cast<int>(curves_.size());
+        curves_.push_back(makeCurve(std::move(keys)));
+        for (XmlNode input : sampler.children("input"))
+            if (input.attribute("semantic") == "INPUT") {
+                const XmlNode source = context_.documents.resolve(input, input.attribute("source"));
+                curves_.back().before = infinityOf(sampler, source, "pre_infinity", "pre_behavior");
+                curves_.back().after = infinityOf(sampler, source, "post_infinity", "post_behavior");
+            }
+    }
+    read_.emplace(sampler, index);
+    return index;
+}
+
+bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
+    XmlNode input, output, interpolation, inTangent, outTangent;
+    bool named[2] = {false, false};
+    for (const Input& i : readInputs(sampler, context_.documents, context_.diagnostics)) {
+        if (i.semantic == "INPUT") input = i.source, named[0] = true;
+        if (i.semantic == "OUTPUT") output = i.source, named[1] = true;
+        if (i.semantic == "INTERPOLATION") interpolation = i.source;
+        if (i.semantic == "IN_TANGENT") inTangent = i.source;
+        if (i.semantic == "OUT_TANGENT") outTangent = i.source;
+    }
+    for (int i = 0; i < 2; ++i)
+        if (!named[i])
+            context_.diagnostics.report(Code::SamplerIncomplete, sampler,
+                                        {samplerName(sampler), i ? "OUTPUT" : "INPUT"});
+    if (!input || !output) return false;
+    const auto times = context_.sources.doubles(input, Numbers::Error);
+    const auto values = context_.sources.doubles(output, Numbers::Error);
+    if (!times || !values || times->count() == 0 || values->count() == 0) {
+        context_.diagnostics.report(Code::SamplerIncomplete, sampler,
+                                    {samplerName(sampler), times && times->count() ? "OUTPUT" : "INPUT"});
+        return false;
+    }
+    keys.width = widthOf(*values, times->count());
+    const std::size_t valueCount = values->values.size() / keys.width;
+    if (times->count() != valueCount)
+        context_.diagnostics.report(
+            Code::SamplerKeyMismatch, sampler,
+            {samplerName(sampler), std::to_string(times->count()), std::to_string(valueCount)});
+    const std::size_t count = std::min(times->count(), valueCount);
+    for (std::size_t i = 0; i < count; ++i) keys.times.push_back((*times)[i][0]);
+    keys.values.assign(values->values.begin(),
+                       values->values.begin() + static_cast<std::ptrdiff_t>(count * keys.width));
+    readInterpolations(sampler, interpolation, keys);
+    readTangents(sampler, inTangent, outTangent, keys);
+    mendTimes(sampler, keys);
+    return true;
+}
+
+void SamplerReader::readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys) {
+    keys.interpolations.assign(keys.times.size(), Interpolation::Linear);
+    bool isIdref = false;
+    const auto names = source ? context_.sources.names(source, isIdref) : nullptr;
+    if (!names || names->count() == 0) {
+        context_.diagnostics.report(Code::InterpolationMissing, sampler, {samplerName(sampler)});
+        return;
+    }
+    std::string unknown;
+    for (std::size_t i = 0; i < std::min(names->count(), keys.times.size()); ++i) {
+        if (const auto interpolation = interpolationNamed((*names)[i][0]))
+            keys.interpolations[i] = *interpolation;
+        else if (unknown.empty())
+            unknown = (*names)[i][0];
+    }
+    if (!unknown.empty())
+        context_.diagnostics.report(Code::InterpolationUnknown, sampler, {unknown, samplerName(sampler)});
+    // Each key but the last starts a segment.
+    if (names->count() + 1 < keys.times.size())
+        context_.diagnostics.report(Code::InterpolationMissing, sampler, {samplerName(sampler)});
+}
+
+void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys) {
+    auto& kinds = keys.interpolations;
+    if (std::none_of(kinds.begin(), kinds.end(), needsTangents) || kinds.size() < 2) return;
+    const auto in = inSource ? context_.sources.doubles(inSource, Numbers::Warning) : nullptr;
+    const auto out = outSource ? context_.sources.doubles(outSource, Numbers::Warning) : nullptr;
+    const std::size_t count = keys.times.size();
+    const std::size_t perKey = in ? in->values.size() / count : 0;
+    if (in && out && tangentsFit(perKey, keys.width) && in->values.size() == perKey * count &&
+        out->values.size() == in->values.size()) {
+        keys.tangentWidth = perKey;
+        keys.inTangents = in->values;
+        keys.outTangents = out->values;
+        return;
+    }
+    context_.diagnostics.report(Code::TangentsMissing, sampler, {samplerName(sampler)});
+    std::replace_if(kinds.begin(), kinds.end(), needsTangents, Interpolation::Linear);
+}
+
+// Times must rise; two keys at one time are a jump. Others are put in order; where that brings together keys that did
+// not stand together, the first of them counts.
+void SamplerReader::mendTimes(XmlNode sampler, CurveKeys& keys) {
+    const std::size_t count = keys.times.size();
+    bool sorted = true, crowded = false;
+    for (std::size_t i = 1; i < count; ++i) {
+        sorted = sorted && keys.times[i - 1] <= keys.times[i];
+        crowded = crowded || (i > 1 && keys.times[i - 2] == keys.times[i]);
+    }
+    const bool allSame = count > 1 && sorted && keys.times.front() == keys.times.back();
+    if (sorted && !crowded && !allSame) return;
+    context_.diagnostics.report(Code::KeyTimesInvalid, sampler,
+                                {samplerName(sampler), allSame   ? "are all the same"
+                                                       : !sorted ? "do not rise"
+                                                                 : "name one time more than twice"});
+    std::vector<std::size_t> order(count), kept;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return keys.times[a] < keys.times[b]; });
+    for (std::size_t i : order) {
+        const bool same = !kept.empty() && keys.times[kept.back()] == keys.times[i];
+        if (same && !sorted && kept.back() + 1 != i) continue;
+        if (same && kept.size() > 1 && keys.times[kept[kept.size() - 2]] == keys.times[i])
+            kept.back() = i;
+        else
+            kept.push_back(i);
+    }
+    reorder(keys, kept);
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "loaders/Curve.h"
+#include "loaders/CurveBuilder.h"
+#include "loaders/LoadContext.h"
+
+namespace walkcycle {
+
+// Reads <sampler> elements, each once, wherever they and their sources stand.
+class SamplerReader {
+public:
+    explicit SamplerReader(const LoadContext& context) : context_(context) {}
+
+    // Index into curves(), or -1 where the sampler has nothing to play (reported).
+    int read(XmlNode sampler);
+
+    std::vector<Curve>& curves() { return curves_; }
+
+private:
+    bool readKeys(XmlNode sampler, CurveKeys& keys);
+    void readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys);
+    void readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys);
+    void mendTimes(XmlNode sampler, CurveKeys& keys);
+
+    const LoadContext& context_;
+    std::unordered_map<XmlNode, int> read_;
+    std::vector<Curve> curves_;
+};
+
+// What messages call a sampler: its id, or that of the <animation> around it.
+std::string samplerName(XmlNode sampler);
+
+}  // namespace walkcycle
