@@ -1,0 +1,28 @@
+#pragma once
+
+// All of the library in one include. A program that only reads files includes "loaders/ColladaLoader.h" instead and
+// links walkcycle::loaders, which needs no OpenGL.
+
+#include <string>
+
+#include "animation/Animator.h"
+#include "io/File.h"
+#include "io/Image.h"
+#include "loaders/ColladaLoader.h"
+#include "model/CpuSkinning.h"
+#include "model/Model.h"
+#include "platform/HeadlessContext.h"
+#include "platform/Window.h"
+#include "render/AnimatedModel.h"
+#include "render/AnimatedModelRenderer.h"
+#include "render/Camera.h"
+#include "render/Framebuffer.h"
+
+namespace walkcycle {
+
+// Writes the picture as a PNG file, whole or not at all. Throws FileError.
+inline void savePng(const Image& image, const std::string& path) {
+    writeFile(path, encodePng(image));
+}
+
+}  // namespace walkcycle
