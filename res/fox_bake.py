@@ -11,8 +11,8 @@ import bpy
 import numpy as np
 
 SIZE = 1024
-HEAD_SCALE = 1.7       # the face is what one looks at: give it more texels
-HEAD_FROM = 0.91
+HEAD_SCALE = 2.0       # the face is what one looks at: give it more texels
+HEAD_FROM = 0.925
 
 
 def unwrap(fox):
@@ -24,7 +24,7 @@ def unwrap(fox):
     for chosen in (is_head, ~is_head):
         _select_faces(mesh, chosen)
         bpy.ops.object.mode_set(mode="EDIT")
-        bpy.ops.uv.smart_project(angle_limit=math.radians(66), island_margin=0.004,
+        bpy.ops.uv.smart_project(angle_limit=math.radians(74), island_margin=0.004,
                                  area_weight=0.3, correct_aspect=False, scale_to_bounds=False)
         bpy.ops.object.mode_set(mode="OBJECT")
     _even_scale(mesh, is_head)

@@ -7,7 +7,7 @@ import fox_shape
 
 CELL = 0.0075
 LOW = np.array((-0.50, -0.31, -0.03), np.float32)
-HIGH = np.array((0.50, 0.66, 1.42), np.float32)
+HIGH = np.array((0.50, 0.66, 1.50), np.float32)
 TRIANGLES = 7600
 
 

@@ -9,11 +9,11 @@ def rgb(text):
     return np.array([int(text[i:i + 2], 16) for i in (0, 2, 4)], np.float32) / 255
 
 
-ORANGE, CREAM, DARK = rgb("e0732a"), rgb("f7e9d0"), rgb("3a2420")
+ORANGE, CREAM, DARK = rgb("f0822f"), rgb("f7e9d0"), rgb("3a2420")
 BASE = {
-    fs.FUR: ORANGE, fs.NOSE: rgb("2a1b1c"), fs.EYE: ORANGE, fs.EAR: ORANGE, fs.PAW: rgb("4a2c24"),
-    fs.JACKET: rgb("2f7f78"), fs.STRAP: rgb("7a4a2a"), fs.BUCKLE: rgb("e6b84a"),
-    fs.TROUSERS: rgb("54586e"), fs.BOOT: rgb("855032"), fs.SOLE: rgb("3b2c27"), fs.TAIL: ORANGE,
+    fs.FUR: ORANGE, fs.NOSE: rgb("2a1b1c"), fs.EYE: ORANGE, fs.EAR: ORANGE, fs.PAW: rgb("5f3a2b"),
+    fs.JACKET: rgb("2f918a"), fs.STRAP: rgb("7a4a2a"), fs.BUCKLE: rgb("e6b84a"),
+    fs.TROUSERS: rgb("5c6484"), fs.BOOT: rgb("96603a"), fs.SOLE: rgb("3b2c27"), fs.TAIL: ORANGE,
     fs.SCARF: rgb("e8b23c"), fs.PACK: rgb("a07a48"), fs.ROLL: rgb("b8493a"), fs.CUFF: rgb("f0e2c4"),
 }
 
@@ -48,7 +48,7 @@ def stroke(distance, width, soft=0.002):
     return 1 - step(width - soft, width + soft, np.abs(distance))
 
 
-def _face(c, p, m):
+def _face(c, p, m, n):
     """Cream muzzle, cheeks and brow spots; mouth."""
     x, y, z = m.T
     edge = 0.985 + 0.30 * np.maximum(x - .045, 0) - 0.9 * np.maximum(.03 - x, 0) * (y < -.14)
@@ -64,12 +64,13 @@ def _face(c, p, m):
     return mix(c, DARK, stroke(x, .0024, .0015) * (y < -.2) * (z > .952) * (z < .985))
 
 
-def _ear_colour(c, m):
-    along = (m[:, 2] - 1.15) / .22
-    c = mix(c, DARK, step(.50, .72, along + noise(m, (60, 60, 20)) * .10))
-    inner = fs._ear(m + np.array((0, .016, 0), np.float32))   # inside the cup: the front
-    pink = step(.0, .012, inner) * step(.02, -.02, m[:, 1] - .03) * (along > .02) * (along < .95)
-    return mix(c, rgb("f4cdb0"), pink * .9 * step(.16, .10, np.abs(m[:, 0] - .115 - along * .063) * 3))
+def _ear_colour(c, m, n):
+    along = (m[:, 2] - 1.15) / .19
+    c = mix(c, DARK, step(.48, .66, along + noise(m, (60, 60, 20)) * .10))
+    width = .062 * np.clip(1 - along, .02, 1)
+    off = np.abs(m[:, 0] - .104 - .080 * along) / width
+    inner = step(1.1, .75, off + noise(m, (90, 90, 30)) * .12) * step(.0, -.25, n[:, 1]) * (along > -.15)
+    return mix(c, mix(np.broadcast_to(rgb("f6dcc0"), c.shape), rgb("d98a72"), step(.8, .1, off) * .7), inner)
 
 
 def _eyes(c, m):
@@ -110,7 +111,7 @@ def _folds(c, p, where, lines):
     return c * (1 + where * (.16 * wave - .05))[:, None]
 
 
-def _jacket(c, p, m):
+def _jacket(c, p, m, n):
     from fox_shape import _arm_points
     shoulder, elbow, wrist = [np.array(v, np.float32) for v in _arm_points()]
     c = _weave(c, p, 900)
@@ -123,16 +124,16 @@ def _jacket(c, p, m):
     c = mix(c, rgb("1f5753"), stroke(p[:, 0], .0035) * front)
     for z in (.675, .715, .755, .795):
         c = mix(c, rgb("e6b84a"), step(.0095, .0065, np.hypot(p[:, 0] - .016, p[:, 2] - z)) * front)
-    hem = stroke(p[:, 2] - .556, .010, .003)
+    hem = stroke(p[:, 2] - .541, .010, .003)
     c = mix(c, rgb("e6b84a"), hem)
     dots = np.arctan2(p[:, 0], -p[:, 1]) * 18
-    c = mix(c, rgb("8c2f2a"), hem * step(.2, .5, np.sin(dots)) * stroke(p[:, 2] - .556, .005))
+    c = mix(c, rgb("8c2f2a"), hem * step(.2, .5, np.sin(dots)) * stroke(p[:, 2] - .541, .005))
     patch = np.hypot(along - .165, (m[:, 1] - .045) * .8)
     c = mix(c, rgb("7a4a2a"), step(.036, .033, patch) * (m[:, 1] > .02))
     return mix(c, rgb("e0b070"), stroke(patch - .029, .0016, .001) * (m[:, 1] > .02) * .8)
 
 
-def _trousers(c, p, m):
+def _trousers(c, p, m, n):
     c = _weave(c, p, 1100)
     knee = np.exp(-((p[:, 2] - .31) / .05) ** 2) + np.exp(-((p[:, 2] - .24) / .025) ** 2)
     c = _folds(c, p, knee * .8, p[:, 2] * 34 + np.abs(m[:, 0] - .09) * 16 + noise(p, 24) * .9)
@@ -146,7 +147,7 @@ def _trousers(c, p, m):
     return mix(c, rgb("e6cf9a"), stitches)
 
 
-def _boots(c, p, m):
+def _boots(c, p, m, n):
     c = c * (1 + .10 * noise(p, 30) + .05 * noise(p, 120))[:, None]
     worn = step(-.12, -.17, p[:, 1]) * .5 + np.exp(-((p[:, 2] - .21) / .012) ** 2) * .4
     c = mix(c, rgb("c08a58"), worn * (.6 + .4 * noise(p, 60)))
@@ -155,10 +156,7 @@ def _boots(c, p, m):
     strap = stroke((p[:, 2] - .135) + p[:, 1] * .15, .014, .002)
     c = mix(c, rgb("4e2d1c"), strap)
     buckle = np.maximum(np.abs(p[:, 2] - .135 + p[:, 1] * .15) / .018, np.abs(m[:, 1] - .0) / .015) * (1 + 9 * (m[:, 0] < .12))
-    c = mix(c, rgb("e6b84a"), step(1.0, .9, buckle) - step(.62, .52, buckle))
-    lace = (m[:, 0] - .094)
-    zig = np.abs((p[:, 2] * 45) % 1 - .5) * .036 - np.abs(lace)
-    return mix(c, rgb("f0e2c4"), stroke(zig, .0035, .001) * (p[:, 1] < -.03) * (p[:, 2] > .085) * (p[:, 2] < .118) * 0)
+    return mix(c, rgb("e6b84a"), step(1.0, .9, buckle) - step(.62, .52, buckle))
 
 
 def _scarf(c, p):
@@ -172,7 +170,7 @@ def _scarf(c, p):
     return _folds(c, p, .8 + 0 * along, p[:, 2] * 30 + angle * 1.1 + noise(p, 22) * .8)
 
 
-def _pack(c, p, m):
+def _pack(c, p, m, n):
     c = _weave(c, p, 800)
     flap = p[:, 2] > .722
     c = mix(c, rgb("8a6236"), flap * .8)
@@ -194,6 +192,23 @@ def _roll(c, p):
     return mix(mix(c, rgb("f3d9a8"), stroke(np.abs(p[:, 0]) - .112, .004) * ~end), rgb("5e3820"), band)
 
 
+def _buckle(c, p, m, n):
+    frame = np.maximum(m[:, 0] / .022, np.abs(p[:, 2] - fs.BELT_HEIGHT) / .018)
+    c = mix(c, rgb("6b431f"), step(1.0, .9, frame))
+    return mix(c, rgb("f6d98a"), stroke(p[:, 0], .004) * step(.2, .4, frame) * (m[:, 0] < .02) * (p[:, 1] < -.1))
+
+
+def _paw(c, p, m, n):
+    """Rosy pads on palm and finger tips, on the side the palm looks to."""
+    normal = np.array(fs.sk.PALM_NORMAL, np.float32)
+    facing = step(.45, .75, np.where(p[:, 0] < 0, -n[:, 0], n[:, 0]) * normal[0] + n[:, 2] * normal[2])
+    pads = [fs.sk._hand(.048, 0.004)] + [points[2] for points in fs.sk.FINGERS.values()]
+    for i, pad in enumerate(pads):
+        radius = .028 if i == 0 else .013
+        c = mix(c, rgb("d98f80"), facing * step(1.1, .8, np.linalg.norm(m - np.array(pad), axis=1) / radius / 1.25))
+    return c
+
+
 def occlusion(p, n):
     """Soft shadow: 1 in the open, lower in creases, from the field along the normal."""
     shade = np.zeros(len(p), np.float32)
@@ -205,27 +220,29 @@ def occlusion(p, n):
 
 def colour(p, n):
     """sRGB colours for places p with normals n, both (N, 3)."""
-    m = mirrored(p)
     kind = fs.material(p - n * .003)
     c = np.stack([BASE[k] for k in range(16)])[kind]
     painters = {
-        fs.FUR: lambda c, p, m: _face(c, p, m), fs.EYE: lambda c, p, m: _face(c, p, m),
-        fs.EAR: lambda c, p, m: _ear_colour(c, m), fs.JACKET: _jacket, fs.TROUSERS: _trousers,
-        fs.BOOT: _boots, fs.SCARF: lambda c, p, m: _scarf(c, p), fs.PACK: _pack,
-        fs.ROLL: lambda c, p, m: _roll(c, p),
-        fs.TAIL: lambda c, p, m: mix(c, CREAM, step(.43, .47, p[:, 1] + noise(p, (60, 25, 25)) * .025)),
-        fs.STRAP: lambda c, p, m: c * (1 + .12 * noise(p, 40) + .06 * noise(p, 160))[:, None],
-        fs.CUFF: lambda c, p, m: _weave(c, p, 500),
-        fs.SOLE: lambda c, p, m: c * (1 + .15 * np.sign(np.sin(p[:, 1] * 260)))[:, None],
+        fs.FUR: _face, fs.EYE: _face,
+        fs.EAR: lambda c, p, m, n: _ear_colour(c, m, n), fs.JACKET: _jacket, fs.TROUSERS: _trousers,
+        fs.BOOT: _boots, fs.SCARF: lambda c, p, m, n: _scarf(c, p), fs.PACK: _pack,
+        fs.ROLL: lambda c, p, m, n: _roll(c, p),
+        fs.TAIL: lambda c, p, m, n: mix(c, CREAM, step(.43, .47, p[:, 1] + noise(p, (60, 25, 25)) * .025)),
+        fs.STRAP: lambda c, p, m, n: c * (1 + .12 * noise(p, 40) + .06 * noise(p, 160))[:, None],
+        fs.BUCKLE: _buckle, fs.PAW: _paw,
+        fs.CUFF: lambda c, p, m, n: _weave(c, p, 500),
+        fs.SOLE: lambda c, p, m, n: c * (1 + .15 * np.sign(np.sin(p[:, 1] * 260)))[:, None],
     }
     for k, painter in painters.items():
         at = kind == k
         if at.any():
-            c[at] = painter(c[at], p[at], m[at])
+            on_head = k in (fs.FUR, fs.EYE, fs.EAR)
+            place = fs.to_head(p[at]) if on_head else p[at]
+            c[at] = painter(c[at], place, mirrored(place), n[at])
     furry = np.isin(kind, (fs.FUR, fs.EYE, fs.EAR, fs.TAIL, fs.PAW))
     c[furry] = _fur_strokes(c[furry], p[furry], n[furry])
     head = np.isin(kind, (fs.FUR, fs.EYE))
-    c[head] = _eyes(c[head], m[head])
+    c[head] = _eyes(c[head], mirrored(fs.to_head(p[head])))
     open_air = occlusion(p, n)
-    tint = mix(np.ones_like(c), rgb("5d4a63"), (1 - open_air) * .85)     # shadows lean to violet
-    return c * tint * (.93 + .07 * n[:, 2:3])
+    tint = mix(np.ones_like(c), rgb("6a5670"), (1 - open_air) * .8)     # shadows lean to violet
+    return c * tint * (.98 + .06 * n[:, 2:3])

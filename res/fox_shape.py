@@ -20,6 +20,17 @@ BELT_HEIGHT = 0.618
 STRAP_X = 0.082
 
 
+def to_head(p):
+    """Places on the grown head as places on the head as drawn."""
+    base = np.array(sk.HEAD_BASE, np.float32)
+    return ((p - base) / sk.HEAD_GROWTH + base).astype(np.float32)
+
+
+def grown(part):
+    """A part of the head, drawn small, at its full size."""
+    return lambda p: sk.HEAD_GROWTH * part(to_head(p))
+
+
 def _skull(p):
     m = mirrored(p)
     d = ellipsoid(p, (0, 0.005, 1.040), (0.188, 0.168, 0.158))
@@ -27,18 +38,18 @@ def _skull(p):
     d = smooth_union(d, round_cone(m, (0.15, -0.02, 0.968), (0.252, 0.0, 0.938), .046, .007), .03)
     d = smooth_union(d, round_cone(m, (0.15, -0.01, 0.995), (0.232, .015, 1.000), .038, .006), .02)
     d = smooth_union(d, round_cone(p, (0, -0.10, 0.988), (0, -0.232, 0.972), .078, .032), .05)
-    for top, lean in ((0.0, -0.02), (0.035, 0.0), (-0.03, 0.01)):
-        lock = round_cone(p, (top * .4, -.05, 1.175), (top, -.085 + lean, 1.232), .026, .006)
-        d = smooth_union(d, lock, .02)
+    for root, tip in (((0, -.06, 1.175), (.012, -.128, 1.256)), ((.03, -.035, 1.180), (.066, -.075, 1.244)),
+                      ((-.028, -.035, 1.180), (-.052, -.080, 1.250))):
+        d = smooth_union(d, round_cone(p, root, tip, .034, .007), .018)
     return d
 
 
 def _ear(p):
     m = mirrored(p)
-    base, _, tip = [tuple(v) for v in sk.EAR]
-    outer = squash(m, base, (-.2, .98, 0), 0.48, lambda q: round_cone(q, base, tip, .080, .010))
+    base, _, tip = [tuple(v) for v in sk.EAR_DRAWN]
+    outer = squash(m, base, (-.2, .98, 0), 0.48, lambda q: round_cone(q, base, tip, .084, .013))
     cup = [(b[0] - .006, b[1] - .040, b[2]) for b in (base, tip)]
-    inner = squash(m, cup[0], (-.2, .98, 0), 0.5, lambda q: round_cone(q, cup[0], cup[1], .058, .002))
+    inner = squash(m, cup[0], (-.2, .98, 0), 0.5, lambda q: round_cone(q, cup[0], cup[1], .062, .002))
     return smooth_cut(outer, inner, 0.012)
 
 
@@ -49,7 +60,7 @@ def _eye(p):
 def _torso(p):
     def body(q):
         d = round_cone(q, (0, .01, .655), (0, .01, .765), .128, .108)
-        return smooth_union(d, ellipsoid(q, (0, .01, .575), (.160, .160, .058)), .03)
+        return smooth_union(d, ellipsoid(q, (0, .01, .575), (.190, .196, .060)), .035)
     return squash(p, (0, .01, 0), (0, 1, 0), 0.90, body)
 
 
@@ -62,7 +73,9 @@ def _sleeve(p):
     shoulder, elbow, wrist = _arm_points()
     cuff = wrist - 0.012 * sk.ARM_DIRECTION
     inside = shoulder - 0.05 * sk.ARM_DIRECTION
-    return tube(mirrored(p), (inside, shoulder, elbow, cuff), (.055, .060, .052, .060))
+    m = mirrored(p)
+    along = (m - np.array(cuff, np.float32)) @ np.array(sk.ARM_DIRECTION, np.float32)
+    return np.maximum(tube(m, (inside, shoulder, elbow, cuff), (.055, .060, .052, .060)), along - .004)
 
 
 def _cuff(p):
@@ -70,7 +83,7 @@ def _cuff(p):
     m = mirrored(p)
     ring = round_cone(m, wrist - .022 * sk.ARM_DIRECTION, wrist - .006 * sk.ARM_DIRECTION, .064, .064)
     along = (m - np.array(wrist, np.float32)) @ np.array(sk.ARM_DIRECTION, np.float32)
-    return np.maximum(ring, np.abs(along + .012) - .020)
+    return np.maximum(ring, np.abs(along + .014) - .021)
 
 
 def _hand(p):
@@ -87,13 +100,13 @@ def _hand(p):
 
 
 def _belt(p):
-    return np.maximum(_torso(p) - .011, np.abs(p[:, 2] - BELT_HEIGHT) - .022)
+    return np.maximum(_torso(p) - .008, np.abs(p[:, 2] - BELT_HEIGHT) - .022)
 
 
 def _straps(p):
     """A shell around jacket and shoulder, cut to two vertical bands."""
     m = mirrored(p)
-    shell = smooth_union(_torso(p), _sleeve(p), .04) - .010
+    shell = smooth_union(_torso(p), _sleeve(p), .04) - .005
     band = np.maximum(np.abs(m[:, 0] - STRAP_X) - .020, BELT_HEIGHT + .02 - p[:, 2])
     return np.maximum(shell, band)
 
@@ -105,14 +118,14 @@ def _buckle(p):
 def _trousers(p):
     m = mirrored(p)
     d = ellipsoid(p, (0, .012, .540), (.138, .118, .078))
-    leg = tube(m, (sk.HIP, sk.KNEE, (.092, .004, .238)), (.086, .074, .076))
-    return smooth_union(d, leg, .03)
+    leg = tube(m, (sk.HIP, sk.KNEE, (.092, .004, .245)), (.086, .076, .079))
+    return np.maximum(smooth_union(d, leg, .03), .208 - p[:, 2])     # tucked into the boots
 
 
 def _boot(p):
     m = mirrored(p)
     d = round_cone(m, (.092, .010, .205), (.092, .014, .095), .062, .054)
-    d = smooth_union(d, ellipsoid(m, (.092, .010, .212), (.080, .080, .024)), .006)
+    d = smooth_union(d, ellipsoid(m, (.092, .008, .205), (.083, .083, .030)), .006)
     d = smooth_union(d, round_cone(m, (.092, .026, .062), (.095, -.075, .058), .052, .054), .03)
     d = smooth_union(d, ellipsoid(m, (.096, -.118, .050), (.066, .074, .056)), .03)
     return np.maximum(d, .012 - p[:, 2])
@@ -168,17 +181,17 @@ PARTS = [
     (JACKET, .035, _sleeve),
     (CUFF, .006, _cuff),
     (PAW, .008, _hand),
-    (STRAP, .004, _belt),
-    (STRAP, .004, _straps),
+    (STRAP, .008, _belt),
+    (STRAP, .010, _straps),
     (BUCKLE, .004, _buckle),
     (TAIL, .012, _tail),
     (PACK, .008, _pack),
     (ROLL, .006, _roll),
     (FUR, .010, lambda p: round_cone(p, (0, .012, .82), (0, 0, .95), .06, .06)),
-    (FUR, .030, _skull),
-    (EAR, .025, _ear),
-    (NOSE, .006, lambda p: ellipsoid(p, (0, -.262, .990), (.028, .022, .021))),
-    (EYE, .006, _eye),
+    (FUR, .030, grown(_skull)),
+    (EAR, .025, grown(_ear)),
+    (NOSE, .006, grown(lambda p: ellipsoid(p, (0, -.258, .990), (.027, .021, .020)))),
+    (EYE, .006, grown(_eye)),
     (SCARF, .008, _scarf_ring),
     (SCARF, .012, _scarf_end),
 ]

@@ -37,8 +37,12 @@ TAIL = [Vector(p) for p in ((0, 0.115, 0.560), (0, 0.215, 0.500), (0, 0.325, 0.4
                             (0, 0.435, 0.505), (0, 0.520, 0.600))]
 SCARF = [Vector(p) for p in ((0.060, 0.095, 0.880), (0.120, 0.185, 0.885),
                              (0.165, 0.270, 0.845), (0.195, 0.345, 0.775))]
-EAR = [Vector(p) for p in ((0.108, 0.020, 1.150), (0.142, 0.026, 1.250),
-                           (0.178, 0.036, 1.375))]
+# The head was drawn smaller and then grown about its base: a big head is friendlier.
+HEAD_BASE = Vector((0, 0, 0.945))
+HEAD_GROWTH = 1.13
+EAR_DRAWN = [Vector(p) for p in ((0.108, 0.020, 1.150), (0.146, 0.026, 1.235),
+                                 (0.186, 0.036, 1.330))]
+EAR = [HEAD_BASE + HEAD_GROWTH * (p - HEAD_BASE) for p in EAR_DRAWN]
 
 
 def _centre_joints():
@@ -48,7 +52,7 @@ def _centre_joints():
         ("spine2", "spine1", (0, .012, .685), (0, .012, .745)),
         ("chest", "spine2", (0, .012, .745), (0, .012, .835)),
         ("neck", "chest", (0, .012, .835), (0, .000, .910)),
-        ("head", "neck", (0, .000, .910), (0, .000, 1.150)),
+        ("head", "neck", (0, .000, .910), (0, .000, 1.180)),
         ("backpack", "chest", (0, .195, .630), (0, .195, .800)),
     ]
 
