@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loaders/LoadContext.h"
+#include "loaders/MeshFaces.h"
 #include "model/MeshData.h"
 
 namespace walkcycle {
@@ -10,12 +11,16 @@ namespace walkcycle {
 // What morphs and skins need to know of a mesh beside what is drawn.
 struct LoadedMesh {
     MeshData mesh;
-    std::vector<glm::vec3> positionNormals;  // per position, where <vertices> itself has a NORMAL input; else empty
-    // The corners in file order, before joining (triangulated): which vertex each became. A morph target with the same
-    // corners finds its normals by this.
+    std::vector<glm::vec3>
+        positionNormals;  // per position, where <vertices> itself has a NORMAL input; else empty
+    // The polygons as the file has them, before they are cut into triangles, and which vertex each of their corners
+    // became (kNoVertex for those that are left out). A mesh with the same corners finds its own by this.
+    MeshFaces faces;
     std::vector<std::uint32_t> cornerVertices;
-    std::vector<glm::vec3> cornerNormals;  // the file's own, per corner; empty where it has none
+    bool hasNormals = false;  // the normals are the file's own
 };
+
+inline constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
 
 // Reads a <geometry>: all its primitives, triangulated, corners joined into vertices, missing normals made.
 // Reports faults and gives what can be drawn, possibly a mesh without parts (a morph target may have no primitives).

@@ -18,7 +18,6 @@ void convert(LoadedMesh& loaded, const glm::mat4& matrix) {
     for (glm::vec3& position : loaded.mesh.positions) position = glm::vec3(matrix * glm::vec4(position, 1.0f));
     for (glm::vec3& normal : loaded.mesh.normals) normal = turned(normal);
     for (glm::vec3& normal : loaded.positionNormals) normal = turned(normal);
-    for (glm::vec3& normal : loaded.cornerNormals) normal = turned(normal);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "loaders/GeometryLoader.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "loaders/MeshBuilder.h"
+#include "loaders/NumberParser.h"
+#include "loaders/PrimitiveReader.h"
+#include "loaders/SmoothNormals.h"
+
+namespace walkcycle {
+namespace {
+
+// A hull may be asked of a geometry that is itself a hull, but not for ever.
+constexpr int kMostHulls = 16;
+
+// The element that holds the geometry's sources and primitives: <mesh>, or what stands for it.
+XmlNode findMesh(XmlNode geometry, const LoadContext& context, int hulls = 0) {
+    if (const XmlNode mesh = geometry.child("mesh")) return mesh;
+    if (const XmlNode convex = geometry.child("convex_mesh")) {
+        if (!convex.has("convex_hull_of")) return convex;
+        const std::string url(convex.attribute("convex_hull_of"));
+        if (hulls == kMostHulls) {
+            context.diagnostics.report(Code::ReferenceLoop, convex, {"convex_mesh", url});
+            return {};
+        }
+        const XmlNode whole = context.documents.follow(convex, "convex_hull_of", "geometry");
+        if (whole && hulls == 0) context.diagnostics.report(Code::ConvexHullOf, convex, {url});
+        return whole ? findMesh(whole, context, hulls + 1) : XmlNode{};
+    }
+    for (const char* curve : {"spline", "brep"})
+        if (const XmlNode element = geometry.child(curve)) {
+            context.diagnostics.report(Code::ShapeNotDrawn, element, {curve});
+            return {};
+        }
+    context.diagnostics.report(Code::MissingElement, geometry, {"geometry", "mesh"});
+    return {};
+}
+
+// Maya and 3ds Max say so in an <extra> of the geometry.
+bool isDoubleSided(XmlNode geometry, XmlNode mesh) {
+    for (const XmlNode owner : {geometry, mesh})
+        for (XmlNode extra : owner.children("extra"))
+            for (XmlNode technique : extra.children("technique")) {
+                double value = 0.0;
+                if (parseNumber(technique.child("double_sided").text(), value) && value != 0.0) return true;
+            }
+    return false;
+}
+
+std::vector<glm::vec3> readPositionNormals(const PrimitiveInputs& vertices) {
+    std::vector<glm::vec3> normals;
+    const auto& source = vertices.normal.source;
+    if (!source || !vertices.usable()) return normals;
+    normals.resize(vertices.position.source->count(), glm::vec3(0.0f));
+    for (std::size_t i = 0; i < std::min(normals.size(), source->count()); ++i) {
+        std::copy_n((*source)[i], std::min<std::size_t>(source->width, 3), &normals[i].x);
+        normals[i] = unitOrZero(glm::dvec3(normals[i]));
+    }
+    return normals;
+}
+
+}  // namespace
+
+LoadedMesh loadGeometry(XmlNode geometry, const LoadContext& context) {
+    LoadedMesh loaded;
+    loaded.mesh.id = geometry.id();
+    loaded.mesh.name = geometry.attribute("name");
+    const XmlNode mesh = findMesh(geometry, context);
+    if (!mesh) return loaded;
+    loaded.mesh.doubleSided = isDoubleSided(geometry, mesh);
+
+    PrimitiveInputs vertices;
+    if (const XmlNode element = mesh.child("vertices"))
+        vertices = readVertices(element, context);
+    else
+        context.diagnostics.report(Code::MissingElement, mesh, {std::string(mesh.name()), "vertices"});
+    loaded.positionNormals = readPositionNormals(vertices);
+
+    std::vector<PrimitiveCorners> primitives;
+    for (XmlNode child : mesh.children()) {
+        if (!isPrimitive(child)) continue;
+        context.checkCancelled(child);
+        PrimitiveCorners primitive = readPrimitive(child, context);
+        if (primitive.inputs.usable()) primitives.push_back(std::move(primitive));
+    }
+    buildMesh(vertices, primitives, loaded, context);
+    return loaded;
+}
+
+}  // namespace walkcycle

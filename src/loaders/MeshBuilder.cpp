@@ -1,0 +1,247 @@
+#include "loaders/MeshBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "loaders/CornerAttributes.h"
+#include "loaders/SmoothNormals.h"
+#include "loaders/Triangulation.h"
+#include "loaders/VertexJoiner.h"
+
+namespace walkcycle {
+namespace {
+
+// Shorter normals than this have no direction that means anything.
+constexpr float kLeastNormalSquared = 1e-20f;
+// Corners are on one line where single precision cannot tell them from it.
+constexpr double kFlatSquared = 1e-14;
+
+class Builder {
+public:
+    Builder(const std::vector<PrimitiveCorners>& primitives, LoadedMesh& loaded, const LoadContext& context)
+        : loaded_(loaded),
+          mesh_(loaded.mesh),
+          context_(context),
+          attributes_(primitives),
+          joiner_(attributes_.count(), cornersOf(primitives)) {}
+
+    // Positions first, of all primitives: faces of different materials smooth into each other.
+    void addPositions(const PrimitiveCorners& primitive);
+    void addPart(const PrimitiveCorners& primitive);
+    void finish();
+    // Where the entries of a source begin in MeshData::positions.
+    std::uint32_t positionBase(const FloatSource& source);
+
+private:
+    static std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
+        std::size_t corners = 0;
+        for (const PrimitiveCorners& primitive : primitives) corners += primitive.cornerCount();
+        return corners;
+    }
+
+    void addLines(const PrimitiveCorners& primitive);
+    void addFaces(const PrimitiveCorners& primitive);
+    bool joinRing(const Ring& ring, std::size_t meshCorner);
+    void useNormal(float* normal, std::size_t meshCorner);
+    void cutFace(std::span<const Ring> rings);
+    bool hasArea(const Ring& ring);
+    std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner);
+    void report(const PrimitiveCorners& primitive);
+
+    LoadedMesh& loaded_;
+    MeshData& mesh_;
+    const LoadContext& context_;
+    CornerAttributes attributes_;
+    VertexJoiner joiner_;
+    std::vector<std::pair<const FloatSource*, std::uint32_t>> positionSources_;
+    std::size_t firstCorner_ = 0, firstRing_ = 0;  // of the current primitive, in loaded_.faces
+    BadIndices badPositions_;
+    std::size_t zeroNormals_ = 0, flatFaces_ = 0;
+    std::vector<glm::vec3> madeNormals_;  // per corner of the faces; made when the first is needed
+    Triangulation triangulation_;
+    std::vector<glm::vec3> points_;  // of the polygon being cut, with the vertices that they became
+    std::vector<std::uint32_t> pointVertices_, ringEnds_;
+};
+
+// All position sources of a mesh stand one after another in MeshData::positions. There is hardly ever a second.
+std::uint32_t Builder::positionBase(const FloatSource& source) {
+    for (const auto& [known, base] : positionSources_)
+        if (known == &source) return base;
+    const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
+    positionSources_.emplace_back(&source, base);
+    mesh_.positions.resize(base + source.count(), glm::vec3(0.0f));  // two-dimensional ones lie in z = 0
+    for (std::size_t i = 0; i < source.count(); ++i)
+        std::copy_n(source[i], std::min<std::size_t>(source.width, 3), &mesh_.positions[base + i].x);
+    mesh_.positionUsed.resize(mesh_.positions.size(), false);
+    return base;
+}
+
+std::uint32_t Builder::positionAt(const PrimitiveCorners& primitive, std::size_t corner) {
+    const CornerInput& input = primitive.inputs.position;
+    const std::int32_t index = primitive.corner(corner)[input.offset];
+    if (index >= 0 && static_cast<std::size_t>(index) < input.source->count())
+        return static_cast<std::uint32_t>(index);
+    badPositions_.add(corner, index);
+    return kNoPosition;
+}
+
+void Builder::addPositions(const PrimitiveCorners& primitive) {
+    const std::uint32_t base = positionBase(*primitive.inputs.position.source);
+    if (primitive.kind == Primitive::Lines) return;
+    badPositions_ = {};
+    MeshFaces& faces = loaded_.faces;
+    const auto firstCorner = static_cast<std::uint32_t>(faces.cornerPositions.size());
+    faces.cornerPositions.resize(firstCorner + primitive.cornerCount(), kNoPosition);
+    for (std::size_t c = 0; c < primitive.cornerCount(); ++c) {
+        const std::uint32_t position = positionAt(primitive, c);
+        if (position != kNoPosition) faces.cornerPositions[firstCorner + c] = base + position;
+    }
+    badPositions_.report(primitive, primitive.inputs.position, "VERTEX", context_.diagnostics);
+    faces.rings.reserve(faces.rings.size() + primitive.rings.size());
+    for (const Ring& ring : primitive.rings)
+        faces.rings.push_back({ring.firstCorner + firstCorner, ring.cornerCount, ring.hole});
+    loaded_.cornerVertices.resize(faces.cornerPositions.size(), kNoVertex);
+    loaded_.hasNormals = loaded_.hasNormals || primitive.inputs.normal.source;
+}
+
+void Builder::addPart(const PrimitiveCorners& primitive) {
+    context_.checkCancelled(primitive.element);
+    MeshPart part;
+    part.primitive = primitive.kind;
+    part.firstIndex = static_cast<std::uint32_t>(mesh_.indices.size());
+    part.materialSymbol = primitive.element.attribute("material");
+    attributes_.begin(primitive);
+    badPositions_ = {};
+    zeroNormals_ = flatFaces_ = 0;
+    if (primitive.kind == Primitive::Lines)
+        addLines(primitive);
+    else
+        addFaces(primitive);
+    attributes_.report(context_.diagnostics);
+    report(primitive);
+    part.indexCount = static_cast<std::uint32_t>(mesh_.indices.size()) - part.firstIndex;
+    if (part.indexCount > 0) mesh_.parts.push_back(std::move(part));
+}
+
+void Builder::addLines(const PrimitiveCorners& primitive) {
+    const std::uint32_t base = positionBase(*primitive.inputs.position.source);
+    for (const Ring& line : primitive.rings) {
+        const std::uint32_t from = positionAt(primitive, line.firstCorner);
+        const std::uint32_t to = positionAt(primitive, line.firstCorner + 1);
+        if (from == kNoPosition || to == kNoPosition) continue;
+        mesh_.indices.push_back(joiner_.add(base + from, attributes_.read(line.firstCorner)));
+        mesh_.indices.push_back(joiner_.add(base + to, attributes_.read(line.firstCorner + 1)));
+    }
+    badPositions_.report(primitive, primitive.inputs.position, "VERTEX", context_.diagnostics);
+}
+
+void Builder::addFaces(const PrimitiveCorners& primitive) {
+    const std::span<const Ring> rings(loaded_.faces.rings);
+    mesh_.indices.reserve(mesh_.indices.size() + primitive.cornerCount());
+    for (std::size_t r = 0; r < primitive.rings.size();) {
+        const std::size_t end = endOfFace(primitive.rings, r);
+        const std::size_t first = r;
+        for (; r < end; ++r) {
+            // A polygon without its outline is nothing; one without a hole is still a polygon.
+            const bool whole = joinRing(primitive.rings[r], firstCorner_ + primitive.rings[r].firstCorner);
+            if (!whole && r == first) break;
+        }
+        if (r == end) cutFace(rings.subspan(firstRing_ + first, end - first));
+        r = end;
+    }
+    firstCorner_ += primitive.cornerCount();
+    firstRing_ += primitive.rings.size();
+}
+
+// Makes vertices of a ring's corners, unless the position of one is not there.
+bool Builder::joinRing(const Ring& ring, std::size_t meshCorner) {
+    const std::uint32_t* positions = loaded_.faces.cornerPositions.data() + meshCorner;
+    if (std::find(positions, positions + ring.cornerCount, kNoPosition) != positions + ring.cornerCount)
+        return false;
+    for (std::uint32_t i = 0; i < ring.cornerCount; ++i) {
+        float* attributes = attributes_.read(ring.firstCorner + i);
+        useNormal(attributes, meshCorner + i);
+        loaded_.cornerVertices[meshCorner + i] = joiner_.add(positions[i], attributes);
+        mesh_.positionUsed[positions[i]] = true;
+    }
+    return true;
+}
+
+void Builder::useNormal(float* normal, std::size_t meshCorner) {
+    if (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > kLeastNormalSquared) return;
+    ++zeroNormals_;
+    if (madeNormals_.empty()) madeNormals_ = smoothNormals(loaded_.faces, mesh_.positions, mesh_.positions);
+    std::copy_n(&madeNormals_[meshCorner].x, 3, normal);
+}
+
+// Appends the triangles of a polygon (its outline and holes, all joined).
+void Builder::cutFace(std::span<const Ring> rings) {
+    const Ring& outline = rings[0];
+    if (!hasArea(outline)) ++flatFaces_;
+    const std::uint32_t* vertices = loaded_.cornerVertices.data();
+    if (rings.size() == 1 && outline.cornerCount == 3) {
+        mesh_.indices.insert(mesh_.indices.end(), vertices + outline.firstCorner,
+                             vertices + outline.firstCorner + 3);
+        return;
+    }
+    points_.clear();
+    pointVertices_.clear();
+    ringEnds_.clear();
+    for (const Ring& ring : rings) {
+        if (vertices[ring.firstCorner] == kNoVertex) continue;  // a hole that has a corner without a position
+        for (std::uint32_t c = ring.firstCorner; c < ring.firstCorner + ring.cornerCount; ++c) {
+            points_.push_back(mesh_.positions[loaded_.faces.cornerPositions[c]]);
+            pointVertices_.push_back(vertices[c]);
+        }
+        ringEnds_.push_back(static_cast<std::uint32_t>(points_.size()));
+    }
+    for (const std::uint32_t point : triangulation_.cut(points_, ringEnds_))
+        mesh_.indices.push_back(pointVertices_[point]);
+}
+
+bool Builder::hasArea(const Ring& ring) {
+    const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + ring.firstCorner;
+    const glm::dvec3 origin(mesh_.positions[corners[0]]);
+    glm::dvec3 edge = glm::dvec3(mesh_.positions[corners[1]]) - origin;
+    glm::dvec3 area(0.0);
+    double size = 0.0;  // the area that corners so far apart could have
+    for (std::uint32_t i = 2; i < ring.cornerCount; ++i) {
+        const glm::dvec3 next = glm::dvec3(mesh_.positions[corners[i]]) - origin;
+        area += glm::cross(edge, next);
+        size = std::max({size, glm::dot(edge, edge), glm::dot(next, next)});
+        edge = next;
+    }
+    return glm::dot(area, area) > kFlatSquared * size * size;
+}
+
+void Builder::report(const PrimitiveCorners& primitive) {
+    const std::string name(primitive.element.name());
+    if (flatFaces_ > 0)
+        context_.diagnostics.report(Code::ZeroAreaFaces, primitive.element,
+                                    {std::to_string(flatFaces_), name});
+    if (zeroNormals_ > 0 && primitive.inputs.normal.source)
+        context_.diagnostics.report(Code::NormalsInvalid, primitive.element,
+                                    {std::to_string(zeroNormals_), name});
+}
+
+void Builder::finish() {
+    mesh_.vertexPositions = joiner_.takePositions();
+    attributes_.store(mesh_, joiner_.attributes(0));
+}
+
+}  // namespace
+
+void buildMesh(const PrimitiveInputs& vertices, const std::vector<PrimitiveCorners>& primitives,
+               LoadedMesh& loaded, const LoadContext& context) {
+    Builder builder(primitives, loaded, context);
+    if (vertices.usable()) builder.positionBase(*vertices.position.source);
+    for (const PrimitiveCorners& primitive : primitives) builder.addPositions(primitive);
+    for (const PrimitiveCorners& primitive : primitives) builder.addPart(primitive);
+    builder.finish();
+}
+
+}  // namespace walkcycle

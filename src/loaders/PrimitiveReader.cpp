@@ -1,0 +1,258 @@
+#include "loaders/PrimitiveReader.h"
+
+#include <algorithm>
+#include <array>
+
+#include "loaders/NumberParser.h"
+
+namespace walkcycle {
+namespace {
+
+enum class Kind { Triangles, Polylist, Polygons, Trifans, Tristrips, Lines, Linestrips };
+
+struct KindName {
+    const char* name;
+    Kind kind;
+};
+constexpr std::array<KindName, 7> kKinds{{{"triangles", Kind::Triangles},
+                                          {"polylist", Kind::Polylist},
+                                          {"polygons", Kind::Polygons},
+                                          {"trifans", Kind::Trifans},
+                                          {"tristrips", Kind::Tristrips},
+                                          {"lines", Kind::Lines},
+                                          {"linestrips", Kind::Linestrips}}};
+
+const KindName* kindOf(XmlNode element) {
+    const auto found =
+        std::find_if(kKinds.begin(), kKinds.end(), [&](const KindName& k) { return element.is(k.name); });
+    return found == kKinds.end() ? nullptr : &*found;
+}
+
+// The line in which the n-th number of an element's text stands.
+int lineOfNumber(XmlNode element, std::size_t n) {
+    std::string joined;
+    const std::string_view text = element.rawText(joined);
+    const std::vector<std::string_view> words = splitWords(text);
+    if (n >= words.size()) return element.line();
+    const std::string_view before = text.substr(0, static_cast<std::size_t>(words[n].data() - text.data()));
+    return element.textLine() + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+}
+
+// Reads one primitive; its members are what the steps share.
+class Reader {
+public:
+    Reader(XmlNode element, Kind kind, const LoadContext& context) : kind_(kind), context_(context) {
+        out_.element = element;
+        out_.inputs = readPrimitiveInputs(element, context);
+        const bool lines = kind == Kind::Lines || kind == Kind::Linestrips;
+        out_.kind = lines ? Primitive::Lines : Primitive::Triangles;
+    }
+
+    PrimitiveCorners read() {
+        switch (kind_) {
+            case Kind::Triangles:
+                readRuns(3);
+                break;
+            case Kind::Lines:
+                readRuns(2);
+                break;
+            case Kind::Polylist:
+                readPolylist();
+                break;
+            default:
+                readLists();
+                break;
+        }
+        checkCount();
+        if (tooSmall_ > 0)
+            context_.diagnostics.report(Code::FaceTooSmall, out_.element,
+                                        {std::to_string(tooSmall_), std::string(out_.element.name())});
+        return std::move(out_);
+    }
+
+private:
+    std::size_t stride() const { return out_.inputs.stride; }
+
+    // Appends the numbers of a <p> or <h>, whole groups of corners only, and says how many corners that were.
+    std::size_t appendCorners(XmlNode p, std::size_t cornersPerGroup = 1) {
+        const std::size_t before = out_.indices.size();
+        faults_.clear();
+        parseNumbers(p.rawText(joined_), out_.indices, faults_);
+        if (!faults_.empty()) readInts(p, context_.diagnostics);  // says which, and in which line
+        const std::size_t numbers = out_.indices.size() - before;
+        const std::size_t group = cornersPerGroup * stride();
+        if (numbers % group != 0)
+            context_.diagnostics.report(
+                Code::IncompleteFace, p,
+                {std::string(p.name()), std::to_string(numbers), std::to_string(group)},
+                lineOfNumber(p, numbers - 1));
+        const std::size_t corners = numbers / group * cornersPerGroup;
+        out_.indices.resize(before + corners * stride());
+        return corners;
+    }
+
+    // <triangles> and <lines>: every `size` corners are one.
+    void readRuns(std::size_t size) {
+        for (XmlNode p : out_.element.children("p")) {
+            const std::size_t first = out_.cornerCount();
+            const std::size_t corners = appendCorners(p, size);
+            out_.rings.reserve(out_.rings.size() + corners / size);
+            for (std::size_t c = 0; c < corners; c += size) addRing(first + c, size, false);
+        }
+        held_ = out_.rings.size();
+    }
+
+    void readPolylist() {
+        const XmlNode vcount = out_.element.child("vcount");
+        std::size_t held = 0;
+        for (XmlNode p : out_.element.children("p")) held += appendCorners(p);
+        if (!vcount) {
+            if (held > 0)
+                context_.diagnostics.report(Code::MissingElement, out_.element, {"polylist", "vcount"});
+            out_.indices.clear();
+            return;
+        }
+        const std::vector<std::int32_t> sizes = readInts(vcount, context_.diagnostics);
+        held_ = sizes.size();
+        std::size_t first = 0;
+        std::uint64_t wanted = 0;
+        bool fits = true;  // where one does not, nobody knows where the next begins
+        for (const std::int32_t size : sizes) {
+            const auto count = static_cast<std::size_t>(std::max(size, 0));
+            wanted += count;
+            fits = fits && size >= 0 && count <= held - first;
+            if (!fits) continue;
+            addFace(first, count);
+            first += count;
+        }
+        if (wanted != held || !fits)
+            context_.diagnostics.report(Code::VcountMismatch, vcount,
+                                        {std::to_string(wanted), std::to_string(held)}, vcount.textLine());
+        out_.indices.resize(first * stride());
+    }
+
+    // The primitives in which each <p> is a polygon, fan, strip or line of its own.
+    void readLists() {
+        for (XmlNode child : out_.element.children()) {
+            const bool holed = child.is("ph") && kind_ == Kind::Polygons;
+            if (!holed && !child.is("p")) continue;
+            ++held_;
+            const std::size_t first = out_.cornerCount();
+            const std::size_t corners = appendCorners(holed ? child.child("p") : child);
+            if (kind_ == Kind::Polygons) {
+                const bool added = addFace(first, corners);
+                if (holed && added) addHoles(child);
+            } else {
+                cut(first, corners);
+            }
+        }
+    }
+
+    void addHoles(XmlNode ph) {
+        for (XmlNode h : ph.children("h")) {
+            const std::size_t first = out_.cornerCount();
+            const std::size_t corners = appendCorners(h);
+            if (corners >= 3)
+                addRing(first, corners, true);
+            else
+                ++tooSmall_;
+        }
+    }
+
+    // Rewrites the corners from `first` on, a fan or strip, as one run of corners per triangle or line.
+    void cut(std::size_t first, std::size_t corners) {
+        const std::size_t size = kind_ == Kind::Linestrips ? 2 : 3;
+        const auto from = out_.indices.begin() + static_cast<std::ptrdiff_t>(first * stride());
+        strip_.assign(from, out_.indices.end());
+        out_.indices.erase(from, out_.indices.end());
+        if (corners < size) {
+            ++tooSmall_;
+            return;
+        }
+        for (std::size_t i = 0; i + size <= corners; ++i) {
+            addRing(out_.cornerCount(), size, false);
+            const bool odd = i % 2 == 1;  // every second triangle of a strip turns the other way
+            if (kind_ == Kind::Linestrips) copy({i, i + 1});
+            if (kind_ == Kind::Trifans) copy({0, i + 1, i + 2});
+            if (kind_ == Kind::Tristrips) copy({odd ? i + 1 : i, odd ? i : i + 1, i + 2});
+        }
+    }
+
+    void copy(std::initializer_list<std::size_t> corners) {
+        for (const std::size_t c : corners)
+            out_.indices.insert(out_.indices.end(),
+                                strip_.begin() + static_cast<std::ptrdiff_t>(c * stride()),
+                                strip_.begin() + static_cast<std::ptrdiff_t>((c + 1) * stride()));
+    }
+
+    bool addFace(std::size_t first, std::size_t corners) {
+        if (corners >= 3)
+            addRing(first, corners, false);
+        else
+            ++tooSmall_;
+        return corners >= 3;
+    }
+
+    void addRing(std::size_t first, std::size_t corners, bool hole) {
+        out_.rings.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(corners), hole});
+    }
+
+    // `count` is redundant. It says nothing that the lists do not, but where they disagree, something was lost.
+    void checkCount() {
+        const std::string name(out_.element.name());
+        if (!out_.element.has("count")) {
+            context_.diagnostics.report(Code::MissingAttribute, out_.element, {name, "count"});
+            return;
+        }
+        const std::string_view text = out_.element.attribute("count");
+        std::uint64_t count = 0;
+        if (!parseUnsigned(text, count))
+            context_.diagnostics.report(Code::NumberInvalid, out_.element, {std::string(text), name});
+        else if (count != held_)
+            context_.diagnostics.report(Code::CountMismatch, out_.element,
+                                        {name, std::string(text), "primitives", std::to_string(held_)});
+    }
+
+    Kind kind_;
+    const LoadContext& context_;
+    PrimitiveCorners out_;
+    std::uint64_t held_ = 0;  // faces, fans, strips or lines in the file
+    std::size_t tooSmall_ = 0;
+    std::string joined_;
+    std::vector<NumberFault> faults_;
+    std::vector<std::int32_t> strip_;
+};
+
+}  // namespace
+
+bool isPrimitive(XmlNode element) {
+    return kindOf(element) != nullptr;
+}
+
+PrimitiveCorners readPrimitive(XmlNode element, const LoadContext& context) {
+    return Reader(element, kindOf(element)->kind, context).read();
+}
+
+CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
+    std::size_t number = corner * primitive.inputs.stride + offset;
+    CornerPlace place{primitive.element, primitive.element.line()};
+    const Kind kind = kindOf(primitive.element)->kind;
+    if (kind == Kind::Trifans || kind == Kind::Tristrips || kind == Kind::Linestrips) return place;
+    const auto lookIn = [&](XmlNode p) {
+        std::string joined;
+        const std::size_t numbers = splitWords(p.rawText(joined)).size();
+        if (number < numbers) place = {p, lineOfNumber(p, number)};
+        const bool found = number < numbers;
+        number -= std::min(number, numbers);
+        return found;
+    };
+    for (XmlNode child : primitive.element.children()) {
+        if (child.is("p") && lookIn(child)) return place;
+        if (!child.is("ph")) continue;
+        for (XmlNode ring : child.children())
+            if ((ring.is("p") || ring.is("h")) && lookIn(ring)) return place;
+    }
+    return place;
+}
+
+}  // namespace walkcycle

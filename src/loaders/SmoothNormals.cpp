@@ -1,0 +1,164 @@
+#include "loaders/SmoothNormals.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include <glm/geometric.hpp>
+
+namespace walkcycle {
+namespace {
+
+// More faces than this at one position cost too much to compare each with each; they are all smoothed.
+constexpr std::size_t kMostComparedFaces = 256;
+
+// A corner as its position sees it: the face's unit normal at rest, and what it adds to the sum.
+struct Share {
+    glm::vec3 restNormal{0.0f};
+    glm::vec3 weighted{0.0f};
+};
+
+glm::dvec3 areaVector(const MeshFaces& faces, const Ring& ring, const std::vector<glm::vec3>& positions) {
+    const std::uint32_t* corners = faces.cornerPositions.data() + ring.firstCorner;
+    const glm::dvec3 origin(positions[corners[0]]);
+    glm::dvec3 area(0.0);
+    glm::dvec3 edge = glm::dvec3(positions[corners[1]]) - origin;
+    for (std::uint32_t i = 2; i < ring.cornerCount; ++i) {
+        const glm::dvec3 next = glm::dvec3(positions[corners[i]]) - origin;
+        area += glm::cross(edge, next);
+        edge = next;
+    }
+    return area;
+}
+
+// The angle inside the polygon at a corner, over 180 degrees where it is reflex.
+float innerAngle(const glm::dvec3& before, const glm::dvec3& at, const glm::dvec3& after,
+                 const glm::vec3& normal) {
+    const glm::dvec3 in = at - before, out = after - at;
+    const glm::dvec3 turn = glm::cross(in, out);
+    const double angle = std::atan2(glm::length(turn), -glm::dot(in, out));
+    return static_cast<float>(glm::dot(turn, glm::dvec3(normal)) < 0.0 ? 2.0 * std::numbers::pi - angle
+                                                                       : angle);
+}
+
+void addShares(const MeshFaces& faces, const Ring& ring, const glm::vec3& restNormal, const glm::vec3& normal,
+               const std::vector<glm::vec3>& positions, std::vector<Share>& shares) {
+    const auto at = [&](std::uint32_t i) {
+        return glm::dvec3(positions[faces.cornerPositions[ring.firstCorner + i % ring.cornerCount]]);
+    };
+    for (std::uint32_t i = 0; i < ring.cornerCount; ++i) {
+        const float angle = innerAngle(at(i + ring.cornerCount - 1), at(i), at(i + 1), normal);
+        shares[ring.firstCorner + i] = {restNormal, angle * normal};
+    }
+}
+
+bool isWhole(const MeshFaces& faces, const Ring& ring) {
+    const auto first = faces.cornerPositions.begin() + ring.firstCorner;
+    return std::find(first, first + ring.cornerCount, kNoPosition) == first + ring.cornerCount;
+}
+
+std::vector<Share> sharesOf(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
+                            const std::vector<glm::vec3>& deformed) {
+    std::vector<Share> shares(faces.cornerPositions.size());
+    glm::vec3 restNormal(0.0f), normal(0.0f);
+    for (const Ring& ring : faces.rings) {
+        if (!isWhole(faces, ring)) continue;
+        if (!ring.hole) {  // a hole has its outline's normal
+            restNormal = unitOrZero(areaVector(faces, ring, rest));
+            normal = &rest == &deformed ? restNormal : unitOrZero(areaVector(faces, ring, deformed));
+        }
+        addShares(faces, ring, restNormal, normal, deformed, shares);
+    }
+    return shares;
+}
+
+// For each position the first one of the same value, so that seams where an exporter repeats positions stay closed.
+std::vector<std::uint32_t> firstOfEqual(const std::vector<glm::vec3>& positions) {
+    constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
+    std::vector<std::uint32_t> table(std::bit_ceil(positions.size() * 2 + 1), kEmpty),
+        first(positions.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        std::uint64_t hash = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            hash = (hash ^ std::bit_cast<std::uint32_t>(positions[i][axis] + 0.0f)) * 0x9E3779B97F4A7C15ull;
+        std::size_t slot = (hash >> 32) & (table.size() - 1);
+        while (table[slot] != kEmpty && positions[table[slot]] != positions[i])
+            slot = (slot + 1) & (table.size() - 1);
+        if (table[slot] == kEmpty) table[slot] = i;
+        first[i] = table[slot];
+    }
+    return first;
+}
+
+// The corners at each position: those of position p are corners[starts[p]] to corners[starts[p + 1]].
+struct CornersByPosition {
+    std::vector<std::uint32_t> starts, corners;
+};
+
+CornersByPosition groupByPosition(const MeshFaces& faces, const std::vector<glm::vec3>& positions) {
+    const std::vector<std::uint32_t> first = firstOfEqual(positions);
+    CornersByPosition groups;
+    groups.starts.assign(positions.size() + 2, 0);
+    for (const std::uint32_t position : faces.cornerPositions)
+        if (position != kNoPosition) ++groups.starts[first[position] + 2];
+    for (std::size_t i = 2; i < groups.starts.size(); ++i) groups.starts[i] += groups.starts[i - 1];
+    groups.corners.resize(groups.starts.back());
+    for (std::uint32_t c = 0; c < faces.cornerPositions.size(); ++c)
+        if (faces.cornerPositions[c] != kNoPosition)
+            groups.corners[groups.starts[first[faces.cornerPositions[c]] + 1]++] = c;
+    return groups;
+}
+
+void setNormal(glm::vec3& normal, const glm::dvec3& sum) {
+    const glm::vec3 unit = unitOrZero(sum);
+    if (unit != glm::vec3(0.0f)) normal = unit;
+}
+
+void smoothAll(std::span<const std::uint32_t> corners, const std::vector<Share>& shares,
+               std::vector<glm::vec3>& normals) {
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t corner : corners) sum += glm::dvec3(shares[corner].weighted);
+    for (const std::uint32_t corner : corners) setNormal(normals[corner], sum);
+}
+
+void smoothWithinCrease(std::span<const std::uint32_t> corners, const std::vector<Share>& shares,
+                        std::vector<glm::vec3>& normals) {
+    static const float cosCrease = std::cos(kCreaseAngleDegrees * std::numbers::pi_v<float> / 180.0f);
+    for (const std::uint32_t corner : corners) {
+        const glm::vec3& own = shares[corner].restNormal;
+        glm::dvec3 sum(0.0);
+        for (const std::uint32_t other : corners) {
+            // A face without an area has no side to be on: it takes what its neighbours have.
+            if (own == glm::vec3(0.0f) || glm::dot(own, shares[other].restNormal) >= cosCrease)
+                sum += glm::dvec3(shares[other].weighted);
+        }
+        setNormal(normals[corner], sum);
+    }
+}
+
+}  // namespace
+
+glm::vec3 unitOrZero(const glm::dvec3& vector) {
+    const double length = glm::length(vector);
+    return length > 0.0 && std::isfinite(length) ? glm::vec3(vector / length) : glm::vec3(0.0f);
+}
+
+std::vector<glm::vec3> smoothNormals(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
+                                     const std::vector<glm::vec3>& deformed) {
+    const std::vector<Share> shares = sharesOf(faces, rest, deformed);
+    const CornersByPosition groups = groupByPosition(faces, rest);
+    std::vector<glm::vec3> normals(faces.cornerPositions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+    for (std::size_t p = 0; p < rest.size(); ++p) {
+        const std::span corners(groups.corners.data() + groups.starts[p],
+                                groups.starts[p + 1] - groups.starts[p]);
+        if (corners.size() <= kMostComparedFaces)
+            smoothWithinCrease(corners, shares, normals);
+        else
+            smoothAll(corners, shares, normals);
+    }
+    return normals;
+}
+
+}  // namespace walkcycle

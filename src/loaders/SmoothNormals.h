@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "loaders/MeshFaces.h"
+
+namespace walkcycle {
+
+// Faces that meet at a sharper angle than this keep an edge between them. Measured on characters that do have normals
+// (docs/collada-notes.md): rounder limits blunt boxes and belts, narrower ones show the facets of low-polygon limbs.
+inline constexpr float kCreaseAngleDegrees = 80.0f;
+
+// Normals for a mesh that has none, one per corner of the file: the mean of the faces that meet there, each weighted
+// by its angle (the polygon's, before it is cut into triangles, so that the cut leaves no trace). Positions of equal
+// value count as one. Corners that no face with an area uses get +Y.
+//
+// `rest` decides which faces smooth into each other, `deformed` where they point: the same vector, but for the shapes of a
+// morph, whose vertices must stay joined as they are at rest.
+std::vector<glm::vec3> smoothNormals(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
+                                     const std::vector<glm::vec3>& deformed);
+
+// The direction of a vector as a unit vector; zero where it has none.
+glm::vec3 unitOrZero(const glm::dvec3& vector);
+
+}  // namespace walkcycle
