@@ -9,6 +9,7 @@
 #include "io/File.h"
 #include "loaders/LoadOptions.h"
 #include "loaders/XmlNode.h"
+#include "model/Diagnostic.h"
 
 namespace tinyxml2 {
 class XMLDocument;
@@ -47,8 +48,8 @@ public:
     const ColladaDocument& openMemory(std::span<const std::uint8_t> bytes, const std::string& name);
 
     // The element that a URI ("#id", "file.dae#id", "id" alone as a courtesy) in `from` leads to; nothing (not
-    // reported) where it leads nowhere.
-    XmlNode resolve(const XmlNode& from, std::string_view uri);
+    // reported) where it leads nowhere. A document that cannot be opened is reported, as what it is for this reference.
+    XmlNode resolve(const XmlNode& from, std::string_view uri, Severity unopened = Severity::Error);
 
     // The same for a reference that must be there: reports WC0201 / WC0207 and gives nothing where it does not lead to
     // an element of that name (empty: any). `attribute` names where the URI stands ("url", "source"); the element's

@@ -44,7 +44,7 @@ struct DocumentSet::Impl {
     }
 
     // The other document at `path` (relative to that of `from`), opened once; null, reported once, where it cannot be.
-    const ColladaDocument* other(const XmlNode& from, const std::string& path) {
+    const ColladaDocument* other(const XmlNode& from, const std::string& path, Severity unopened) {
         const fs::path ownFile(from.file());
         if (fs::path(path) == ownFile.filename()) return &from.document();  // a document that names itself
         const fs::path full = (ownFile.parent_path() / path).lexically_normal();
@@ -54,10 +54,10 @@ struct DocumentSet::Impl {
                              {"number of documents", std::to_string(documents.size()),
                               std::to_string(options.limits.maxDocuments)});
         documents[full.string()] = nullptr;
-        return open(from, full);
+        return open(from, full, unopened);
     }
 
-    const ColladaDocument* open(const XmlNode& from, const fs::path& path) {
+    const ColladaDocument* open(const XmlNode& from, const fs::path& path, Severity unopened) {
         std::string reason = "there is no such file";
         try {
             if (std::optional<Bytes> bytes = readInAnyCase(from, path)) return &add(std::move(*bytes), path.string());
@@ -66,7 +66,7 @@ struct DocumentSet::Impl {
         } catch (const std::runtime_error& error) {  // FileError, ArchiveError
             reason = error.what();
         }
-        diagnostics.report(Code::ExternalMissing, from, {path.string(), std::string(from.name()), reason});
+        diagnostics.report(unopened, Code::ExternalMissing, from, {path.string(), std::string(from.name()), reason});
         return nullptr;
     }
 };
@@ -90,7 +90,7 @@ const ColladaDocument& DocumentSet::openMemory(std::span<const std::uint8_t> byt
     return impl_->addRoot(Bytes(bytes.begin(), bytes.end()), name);
 }
 
-XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri) {
+XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri, Severity unopened) {
     if (!from || uri.empty()) return {};
     if (uri.front() == '#') {  // nearly all of them; the id is tried as it stands first
         const XmlNode here = from.document().byId(uri.substr(1));
@@ -99,7 +99,7 @@ XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri) {
     if (uri.find('#') == std::string_view::npos) return from.document().byId(uri);  // "id" for "#id", as a courtesy
     const Uri parts = parseUri(uri);
     if (!parts.scheme.empty() && parts.scheme != "file") return {};
-    const ColladaDocument* document = impl_->other(from, parts.path);
+    const ColladaDocument* document = impl_->other(from, parts.path, unopened);
     return document ? document->byId(parts.fragment) : XmlNode();
 }
 

@@ -1,0 +1,207 @@
+#include "loaders/EffectReader.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "loaders/ExporterQuirks.h"
+#include "loaders/NumberParser.h"
+
+namespace walkcycle {
+namespace {
+
+struct Shader {
+    const char* name;
+    ShadingModel model;
+};
+constexpr std::array<Shader, 4> kShaders = {{{"constant", ShadingModel::Constant},
+                                             {"lambert", ShadingModel::Lambert},
+                                             {"phong", ShadingModel::Phong},
+                                             {"blinn", ShadingModel::Blinn}}};
+
+struct SlotName {
+    const char* name;
+    Slot slot;
+};
+constexpr std::array<SlotName, 6> kSlots = {{{"emission", Slot::Emission},
+                                             {"ambient", Slot::Ambient},
+                                             {"diffuse", Slot::Diffuse},
+                                             {"specular", Slot::Specular},
+                                             {"reflective", Slot::Reflective},
+                                             {"transparent", Slot::Transparent}}};
+
+// Where a picture cannot be had: white keeps a surface visible, and black keeps it from glowing or shining.
+glm::vec4 standIn(Slot slot, OpaqueMode opaque) {
+    const glm::vec4 white(1.0f), black(0.0f, 0.0f, 0.0f, 1.0f), nothing(0.0f);
+    if (slot == Slot::Diffuse || slot == Slot::Ambient) return white;
+    if (slot != Slot::Transparent) return black;
+    if (opaque == OpaqueMode::RgbZero) return black;
+    return opaque == OpaqueMode::AZero ? nothing : white;
+}
+
+float toFloat(double number) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(number, -kMost, kMost));
+}
+
+bool isTrue(XmlNode flag) {
+    const std::string text = flag.text();
+    return text == "1" || text == "true" || text == "TRUE";
+}
+
+bool isGrey(const Image& image) {
+    for (std::size_t i = 0; i + 2 < image.rgba.size(); i += 4)
+        if (image.rgba[i] != image.rgba[i + 1] || image.rgba[i] != image.rgba[i + 2]) return false;
+    return true;
+}
+
+bool hasHoles(const Image& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i] != 255) return true;
+    return false;
+}
+
+bool usesAlpha(OpaqueMode opaque) {
+    return opaque == OpaqueMode::AOne || opaque == OpaqueMode::AZero;
+}
+
+}  // namespace
+
+bool EffectReader::read(XmlNode effect, XmlNode instanceEffect, Material& material) {
+    XmlNode profile;
+    if (!chooseProfile(effect, profile)) return false;
+    const XmlNode technique = profile.child("technique");
+    const auto shader = std::find_if(kShaders.begin(), kShaders.end(),
+                                     [&](const Shader& known) { return bool(technique.child(known.name)); });
+    if (shader == kShaders.end()) {
+        context_.diagnostics.report(
+            Code::EffectUnusable, profile,
+            {std::string(effect.id()), "has no <constant>, <lambert>, <phong> or <blinn>"});
+        return false;
+    }
+    material.shading = shader->model;
+    const XmlNode values = technique.child(shader->name);
+    const EffectParameters parameters(effect, profile, technique, instanceEffect);
+    readOpaque(values.child("transparent"), material);
+    for (const SlotName& slot : kSlots) readSlot(values, slot.name, slot.slot, parameters, material);
+    readNumber(values, "shininess", parameters, material.shininess);
+    readNumber(values, "reflectivity", parameters, material.reflectivity);
+    readNumber(values, "transparency", parameters, material.transparency);
+    readNumber(values, "index_of_refraction", parameters, material.indexOfRefraction);
+    for (const XmlNode element : {values, technique, profile, effect})
+        readExtras(element, parameters, material);
+    settleTransparency(values, effect, material);
+    return true;
+}
+
+bool EffectReader::chooseProfile(XmlNode effect, XmlNode& profile) {
+    profile = effect.child("profile_COMMON");
+    if (profile) return true;
+    context_.diagnostics.report(Code::EffectUnusable, effect,
+                                {std::string(effect.id()), "has no <profile_COMMON>"});
+    return false;
+}
+
+void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const EffectParameters& parameters,
+                            Material& material) {
+    const XmlNode node = shader.child(name);
+    if (!node) {
+        // COLLADA 1.4.1, "Determining transparency": without <transparent> all is opaque but for <transparency>.
+        if (slot == Slot::Transparent) material.slot(slot).color = glm::vec4(1.0f);
+        return;
+    }
+    material.slot(slot).present = true;
+    if (const XmlNode color = node.child("color")) {
+        readColor(color, material.slot(slot).color);
+    } else if (const XmlNode param = node.child("param")) {
+        if (const XmlNode value = parameter(param, parameters)) readColor(value, material.slot(slot).color);
+    } else if (const XmlNode texture = node.child("texture")) {
+        readTexture(texture, slot, parameters, material);
+    }
+}
+
+void EffectReader::readColor(XmlNode value, glm::vec4& color) {
+    const std::vector<double> numbers = readDoubles(value, context_.diagnostics, Numbers::Warning);
+    if (numbers.size() != 3 && numbers.size() != 4)
+        context_.diagnostics.report(Code::ColorNumbers, value,
+                                    {std::string(value.name()), std::to_string(numbers.size())});
+    color = {0.0f, 0.0f, 0.0f, 1.0f};
+    for (std::size_t i = 0; i < numbers.size() && i < 4; ++i)
+        color[static_cast<int>(i)] = toFloat(numbers[i]);
+}
+
+void EffectReader::readNumber(XmlNode shader, const char* name, const EffectParameters& parameters,
+                              float& number) {
+    const XmlNode node = shader.child(name);
+    XmlNode value = node.child("float");
+    if (const XmlNode param = node.child("param")) value = parameter(param, parameters);
+    if (!value) return;
+    const std::vector<double> numbers = readDoubles(value, context_.diagnostics, Numbers::Warning);
+    if (!numbers.empty()) number = toFloat(numbers.front());
+}
+
+XmlNode EffectReader::parameter(XmlNode param, const EffectParameters& parameters) {
+    const XmlNode value = parameters.value(param.attribute("ref"));
+    if (!value)
+        context_.diagnostics.report(
+            Code::ParameterNotThere, param,
+            {std::string(param.parent().name()), std::string(parameters.effect().id()),
+             std::string(param.attribute("ref"))});
+    return value;
+}
+
+void EffectReader::readTexture(XmlNode texture, Slot slot, const EffectParameters& parameters,
+                               Material& material) {
+    ColorOrTexture& target = material.slot(slot);
+    target.texture = textures_.read(texture, parameters, slot);
+    target.texCoordName = texture.attribute("texcoord");
+    target.color = imageOf(material, slot) ? glm::vec4(1.0f) : standIn(slot, material.opaque);
+}
+
+const Image* EffectReader::imageOf(const Material& material, Slot slot) const {
+    const int texture = material.slot(slot).texture;
+    return texture < 0 ? nullptr : model_.textures[static_cast<std::size_t>(texture)].image.get();
+}
+
+// What the format has no words for, exporters say in <extra>: under which profile differs, the words do not.
+void EffectReader::readExtras(XmlNode element, const EffectParameters& parameters, Material& material) {
+    for (XmlNode extra : element.children("extra")) {
+        for (XmlNode technique : extra.children("technique")) {
+            if (isTrue(technique.child("double_sided"))) material.doubleSided = true;
+            if (const XmlNode bump = technique.child("bump")) readBump(bump, parameters, material);
+        }
+    }
+}
+
+void EffectReader::readBump(XmlNode bump, const EffectParameters& parameters, Material& material) {
+    const XmlNode texture = bump.child("texture");
+    if (!texture || material.slot(Slot::Bump).present) return;
+    material.slot(Slot::Bump).present = true;
+    readTexture(texture, Slot::Bump, parameters, material);
+    const std::string_view kind = bump.attribute("bumptype");
+    const Image* image = imageOf(material, Slot::Bump);
+    // Most exporters do not say which it is; a picture of normals is bluish, one of heights is grey.
+    material.bumpIsHeights = kind.empty() ? image && isGrey(*image) : kind == "HEIGHTFIELD";
+}
+
+void EffectReader::readOpaque(XmlNode transparent, Material& material) {
+    const std::string_view word = transparent.attribute("opaque");
+    if (word == "RGB_ZERO") material.opaque = OpaqueMode::RgbZero;
+    if (word == "A_ZERO") material.opaque = OpaqueMode::AZero;
+    if (word == "RGB_ONE") material.opaque = OpaqueMode::RgbOne;
+    if (!word.empty() && word != "A_ONE" && material.opaque == OpaqueMode::AOne)
+        context_.diagnostics.report(Code::WordUnknown, transparent, {std::string(word), "transparent"});
+}
+
+void EffectReader::settleTransparency(XmlNode shader, XmlNode effect, Material& material) {
+    if (shader.child("transparency"))
+        correctTransparency(model_.asset, effect, context_.diagnostics, material);
+    const ColorOrTexture& transparent = material.slot(Slot::Transparent);
+    material.transparent = opacity(material, transparent.color) < 1.0f;
+    const Image* image = imageOf(material, Slot::Transparent);
+    if (!image) return;
+    const bool fades = material.transparency < 1.0f;
+    material.transparent = !usesAlpha(material.opaque) || fades || hasHoles(*image);
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,118 @@
+#include "loaders/MaterialLoader.h"
+
+#include "loaders/EffectReader.h"
+#include "loaders/TexCoordBinding.h"
+
+namespace walkcycle {
+namespace {
+
+using NodesByName = std::unordered_map<std::string_view, XmlNode>;
+
+// The <instance_material>s of an instance by symbol. (Some hand-written files leave out <technique_common>.)
+NodesByName bindingsOf(XmlNode instance) {
+    const XmlNode bindMaterial = instance.child("bind_material");
+    const XmlNode common = bindMaterial.child("technique_common");
+    NodesByName bindings;
+    for (XmlNode binding : (common ? common : bindMaterial).children("instance_material"))
+        bindings.try_emplace(binding.attribute("symbol"), binding);
+    return bindings;
+}
+
+}  // namespace
+
+struct MaterialLoader::Impl {
+    const LoadContext& context;
+    Model& model;
+    EffectReader effects;
+    std::unordered_map<XmlNode, int> materials;  // <material> -> Model::materials; -1: cannot be shown
+    std::unordered_map<const ColladaDocument*, NodesByName> materialsByName;
+    std::unordered_multimap<XmlNode, int> elements;
+
+    int load(XmlNode material);
+    int read(XmlNode material);
+    int bound(XmlNode binding);
+    int guess(XmlNode instance, const MeshPart& part, const MeshData& mesh);
+};
+
+int MaterialLoader::Impl::load(XmlNode material) {
+    const auto [entry, isNew] = materials.try_emplace(material, -1);
+    if (isNew) entry->second = read(material);
+    return entry->second;
+}
+
+int MaterialLoader::Impl::read(XmlNode material) {
+    const XmlNode instance = material.child("instance_effect");
+    const XmlNode effect = context.documents.resolve(instance, instance.attribute("url"), Severity::Warning);
+    if (!effect.is("effect")) {
+        context.diagnostics.report(Code::EffectNotThere, instance ? instance : material,
+                                   {std::string(material.id()), std::string(instance.attribute("url"))});
+        return -1;
+    }
+    Material result;
+    result.id = material.id();
+    result.name = material.attribute("name");
+    if (!effects.read(effect, instance, result)) return -1;
+    const int index = static_cast<int>(model.materials.size());
+    elements.emplace(material, index);
+    elements.emplace(effect, index);
+    model.materials.push_back(std::move(result));
+    return index;
+}
+
+int MaterialLoader::Impl::bound(XmlNode binding) {
+    const std::string target(binding.attribute("target"));
+    const XmlNode material = context.documents.resolve(binding, target, Severity::Warning);
+    if (material.is("material")) return load(material);
+    context.diagnostics.report(Code::MaterialNotThere, binding,
+                               {std::string(binding.attribute("symbol")), target});
+    return -1;
+}
+
+// Parts without a symbol ask for no material; the others may mean the one of that id or name.
+int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const MeshData& mesh) {
+    if (part.materialSymbol.empty()) return -1;
+    const ColladaDocument& document = instance.document();
+    XmlNode material = document.byId(part.materialSymbol);
+    if (!material.is("material")) {
+        const auto [entry, isNew] = materialsByName.try_emplace(&document);
+        if (isNew)
+            for (XmlNode library : document.root().children("library_materials"))
+                for (XmlNode known : library.children("material"))
+                    entry->second.try_emplace(known.attribute("name"), known);
+        const auto found = entry->second.find(part.materialSymbol);
+        material = found == entry->second.end() ? XmlNode() : found->second;
+    }
+    const Code code = material ? Code::MaterialGuessed : Code::MaterialUnbound;
+    context.diagnostics.report(code, instance, {part.materialSymbol, mesh.id});
+    return material ? load(material) : -1;
+}
+
+MaterialLoader::MaterialLoader(const LoadContext& context, Model& model)
+    : impl_(new Impl{context, model, {context, model}, {}, {}, {}}) {}
+MaterialLoader::~MaterialLoader() = default;
+
+std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData& mesh) {
+    const NodesByName bindings = bindingsOf(instance);
+    std::vector<PartMaterial> result;
+    result.reserve(mesh.parts.size());
+    for (const MeshPart& part : mesh.parts) {
+        const auto found = bindings.find(part.materialSymbol);
+        const XmlNode binding = found == bindings.end() ? XmlNode() : found->second;
+        PartMaterial bound;
+        bound.material = binding ? impl_->bound(binding) : impl_->guess(instance, part, mesh);
+        bound.texCoordSets.fill(-1);
+        if (bound.material >= 0) {
+            const Material& material = impl_->model.materials[static_cast<std::size_t>(bound.material)];
+            bindTexCoords(material, binding ? binding : instance, mesh, part, impl_->context.diagnostics,
+                          bound);
+        }
+        result.push_back(bound);
+    }
+    return result;
+}
+
+const std::unordered_multimap<XmlNode, int>& MaterialLoader::elements() const {
+    return impl_->elements;
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+#include "loaders/EffectParameters.h"
+#include "loaders/LoadContext.h"
+#include "loaders/PictureFinder.h"
+#include "model/Model.h"
+
+namespace walkcycle {
+
+// Follows an effect's <texture> to its picture: sampler, surface, <image>, file. In COLLADA 1.5 the sampler names the
+// image itself; many 1.4 exporters let the <texture> do so.
+class TextureReader {
+public:
+    TextureReader(const LoadContext& context, Model& model)
+        : context_(context), model_(model), pictures_(context) {}
+
+    // An index into Model::textures (its picture may be missing); -1 where the way ends before an <image>, reported.
+    int read(XmlNode texture, const EffectParameters& parameters, Slot slot);
+
+private:
+    XmlNode imageOf(XmlNode texture, XmlNode sampler, const EffectParameters& parameters);
+    XmlNode imageOfSurface(XmlNode surface, XmlNode texture, const EffectParameters& parameters);
+    XmlNode imageNamed(XmlNode from, const std::string& name);
+    void unresolved(XmlNode texture, const EffectParameters& parameters, const std::string& reason);
+    void readSampler(XmlNode sampler, Texture& texture);
+    const PictureFinder::Picture& pictureOf(XmlNode image, Texture& texture);
+
+    const LoadContext& context_;
+    Model& model_;
+    PictureFinder pictures_;
+    std::unordered_map<const ColladaDocument*, std::unordered_map<std::string_view, XmlNode>> imagesByName_;
+    std::map<std::tuple<const void*, const void*, bool>, int>
+        indices_;  // by image, sampler, and whether the user chose
+};
+
+}  // namespace walkcycle
