@@ -51,10 +51,10 @@ std::string describe(const tinyxml2::XMLDocument& xml) {
 }
 
 // The element after `element` in document order; null at the end. No recursion: the depth is the file's choice.
-const tinyxml2::XMLElement* nextInDocument(const tinyxml2::XMLElement* element) {
-    if (const auto* child = element->FirstChildElement()) return child;
-    for (const tinyxml2::XMLNode* node = element; node; node = node->Parent()) {
-        if (const auto* sibling = node->NextSiblingElement()) return sibling;
+tinyxml2::XMLElement* nextInDocument(tinyxml2::XMLElement* element) {
+    if (auto* child = element->FirstChildElement()) return child;
+    for (tinyxml2::XMLNode* node = element; node; node = node->Parent()) {
+        if (auto* sibling = node->NextSiblingElement()) return sibling;
     }
     return nullptr;
 }
@@ -66,14 +66,9 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
     if (bytes.size() > limits.maxFileBytes)
         diagnostics.fail(Code::LimitExceeded, file_, 0,
                          {"file size", std::to_string(bytes.size()), std::to_string(limits.maxFileBytes)});
-    {
-        const std::string text = decode(std::move(bytes), file_, diagnostics);
-        refuseTricks(text, file_, diagnostics);
-        xml_->Parse(text.data(), text.size());
-    }
-    if (xml_->ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
-        diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(), {});
-    if (xml_->Error()) diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
+    text_ = decode(std::move(bytes), file_, diagnostics);
+    refuseTricks(text_, file_, diagnostics);
+    parse(diagnostics);
     root_ = XmlNode(xml_->RootElement(), this);
     if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
     if (!root_.is("COLLADA")) diagnostics.fail(Code::NotCollada, root_, {std::string(root_.name())});
@@ -82,9 +77,38 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
 
 ColladaDocument::~ColladaDocument() = default;
 
+// Without its long number lists where that can be done, the plain way where there is any doubt.
+void ColladaDocument::parse(Diagnostics& diagnostics) {
+    if (std::optional<CutDocument> cut = cutNumberText(text_)) {
+        xml_->Parse(cut->remaining.data(), cut->remaining.size());
+        cutTexts_ = std::move(cut->texts);
+        if (!xml_->Error() && placeNumberText()) return;
+        cutTexts_.clear();
+    }
+    xml_->Parse(text_.data(), text_.size());
+    if (xml_->ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
+        diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(), {});
+    if (xml_->Error()) diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
+    text_ = std::string();  // the DOM holds it all
+}
+
+// Hangs each cut-out text on its element. False where tinyxml2 saw other elements than the cutter did.
+bool ColladaDocument::placeNumberText() {
+    std::size_t next = 0;
+    for (tinyxml2::XMLElement* element = xml_->RootElement(); element; element = nextInDocument(element)) {
+        if (!holdsNumberText(element->Name())) continue;
+        if (next == cutTexts_.size()) return false;
+        std::optional<NumberText>& text = cutTexts_[next++];
+        if (!text) continue;
+        if (!element->NoChildren()) return false;
+        element->SetUserData(&*text);
+    }
+    return next == cutTexts_.size();
+}
+
 void ColladaDocument::indexIds(Diagnostics& diagnostics, const LoadLimits& limits) {
     std::uint64_t elements = 0;
-    for (const auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
+    for (auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
         if (++elements > limits.maxElements)
             diagnostics.fail(Code::LimitExceeded, file_, element->GetLineNum(),
                              {"number of elements", std::to_string(elements), std::to_string(limits.maxElements)});

@@ -8,6 +8,7 @@
 
 #include "io/File.h"
 #include "loaders/LoadOptions.h"
+#include "loaders/NumberText.h"
 #include "loaders/XmlNode.h"
 #include "model/Diagnostic.h"
 
@@ -30,9 +31,13 @@ public:
     XmlNode byId(std::string_view id) const;
 
 private:
+    void parse(Diagnostics& diagnostics);
+    bool placeNumberText();
     void indexIds(Diagnostics& diagnostics, const LoadLimits& limits);
 
     std::string file_;
+    std::string text_;                                 // UTF-8; what the cut-out texts are views of
+    std::vector<std::optional<NumberText>> cutTexts_;  // hung on their elements as tinyxml2 user data
     std::unique_ptr<tinyxml2::XMLDocument> xml_;
     XmlNode root_;
     std::unordered_map<std::string_view, const tinyxml2::XMLElement*> byId_;

@@ -7,6 +7,7 @@
 
 #include "loaders/ColladaDocument.h"
 #include "loaders/NumberParser.h"
+#include "loaders/NumberText.h"
 
 namespace walkcycle {
 namespace {
@@ -23,6 +24,11 @@ std::string step(const XmlNode& node) {
     if (!node.id().empty()) return text + "[id=" + std::string(node.id()) + "]";
     if (!node.sid().empty()) return text + "[sid=" + std::string(node.sid()) + "]";
     return text;
+}
+
+// The text that was cut out of the document before it was parsed; see NumberText.h.
+const NumberText* cutText(const tinyxml2::XMLElement* element) {
+    return element ? static_cast<const NumberText*>(element->GetUserData()) : nullptr;
 }
 
 }  // namespace
@@ -69,6 +75,7 @@ XmlNode::Range XmlNode::children(std::string_view elementName) const {
 std::string_view XmlNode::rawText(std::string& joined) const {
     const tinyxml2::XMLText* only = nullptr;
     joined.clear();
+    if (const NumberText* cut = cutText(element_)) return cut->text;
     int pieces = 0;
     for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling()) {
         const tinyxml2::XMLText* text = node->ToText();
@@ -85,6 +92,7 @@ std::string_view XmlNode::rawText(std::string& joined) const {
 }
 
 int XmlNode::textLine() const {
+    if (const NumberText* cut = cutText(element_)) return line() + cut->linesInTag;
     for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling())
         if (node->ToText()) return node->GetLineNum();
     return line();
