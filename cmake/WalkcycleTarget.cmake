@@ -17,6 +17,13 @@ if(WALKCYCLE_SANITIZE)
     add_link_options(-fsanitize=${WALKCYCLE_SANITIZE})
 endif()
 
+# For programs that draw: see KeepLibraries.cpp.
+function(walkcycle_keep_libraries program)
+    if(WALKCYCLE_SANITIZE)
+        target_sources(${program} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/KeepLibraries.cpp")
+    endif()
+endfunction()
+
 function(walkcycle_add_library folder)
     cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
