@@ -119,7 +119,7 @@ Layout readLayout(XmlNode source, std::size_t held, Diagnostics& diagnostics) {
     if (!accessor.has("count")) diagnostics.report(Code::MissingAttribute, accessor, {"accessor", "count"});
     layout.count = readCount(accessor, "count", diagnostics).value_or(carried);
     if (layout.count > carried) {
-        const std::string wanted = std::to_string(layout.count) + " entries of " + std::to_string(layout.stride);
+        const std::string wanted = std::to_string(layout.count) + " entries of " + std::to_string(layout.stride) + " values";
         diagnostics.report(Code::AccessorOutside, accessor, {std::string(source.id()), wanted, std::to_string(held)});
         layout.count = carried;
     }
