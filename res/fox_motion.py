@@ -38,17 +38,18 @@ class Gait:
     elbow: float
     elbow_swing: float
     curl: float
+    arm_out: float            # degrees the arms hang off the body
     flutter: float            # how much ears, tail, scarf and pack follow
 
 
 WALK = Gait(frames=30, speed=0.72, toe_off=.62, flat=.12, heel_off=.33, tip_roll=.54,
             strike_pitch=-22, off_pitch=58, tip_pitch=30, middle=.30, lift=.030, kick=6,
             bob=.014, bob_top=.36, stretch=.985, lean=4, pelvis_yaw=9, pelvis_roll=4, sway=.016,
-            chest_yaw=10, arm_swing=27, elbow=20, elbow_swing=14, curl=20, flutter=1.0)
+            chest_yaw=10, arm_swing=27, elbow=20, elbow_swing=14, curl=20, arm_out=17, flutter=1.0)
 RUN = Gait(frames=20, speed=1.95, toe_off=.37, flat=.05, heel_off=.13, tip_roll=.29,
            strike_pitch=-10, off_pitch=62, tip_pitch=34, middle=.16, lift=.115, kick=38,
            bob=.034, bob_top=.44, stretch=.985, lean=13, pelvis_yaw=11, pelvis_roll=5, sway=.008,
-           chest_yaw=15, arm_swing=40, elbow=82, elbow_swing=16, curl=42, flutter=1.8)
+           chest_yaw=15, arm_swing=40, elbow=82, elbow_swing=16, curl=42, arm_out=21, flutter=1.8)
 
 
 def _smooth(t):
@@ -146,7 +147,7 @@ def _gait_pose(gait, u, drop):
     for side, sign, shift in sides():
         swing = math.cos(2 * math.pi * (u + shift - .02))
         elbow = gait.elbow - gait.elbow_swing * math.cos(2 * math.pi * (u + shift - .08))
-        arm(pose, side, sign, gait.arm_swing * swing, elbow, curl=gait.curl,
+        arm(pose, side, sign, gait.arm_swing * swing, elbow, gait.arm_out, gait.curl,
             raise_by=1.5 * _wave(u, 2, .25))
     _followers(pose, u, gait.flutter)
     return pose, _legs(gait, pose, u)

@@ -116,7 +116,7 @@ def _jacket(c, p, m, n):
     shoulder, elbow, wrist = [np.array(v, np.float32) for v in _arm_points()]
     c = _weave(c, p, 900)
     along = (m - shoulder) @ ((wrist - shoulder) / np.linalg.norm(wrist - shoulder))
-    bend = np.exp(-((along - .16) / .05) ** 2) + .7 * np.exp(-((along - .005) / .03) ** 2)
+    bend = np.exp(-((along - .16) / .05) ** 2) * (m[:, 0] > .17) + .7 * np.exp(-((along - .005) / .03) ** 2)
     c = _folds(c, p, bend * (along > -.02), along * 38 + noise(p, 26) * .9)
     sides = step(.04, .12, m[:, 0]) * (along < -.02)
     c = _folds(c, p, sides * .6, p[:, 2] * 26 + m[:, 0] * 18 + noise(p, 18))
@@ -124,11 +124,11 @@ def _jacket(c, p, m, n):
     c = mix(c, rgb("1f5753"), stroke(p[:, 0], .0035) * front)
     for z in (.675, .715, .755, .795):
         c = mix(c, rgb("e6b84a"), step(.0095, .0065, np.hypot(p[:, 0] - .016, p[:, 2] - z)) * front)
-    hem = stroke(p[:, 2] - .541, .010, .003)
+    hem = stroke(p[:, 2] - .533, .011, .003)
     c = mix(c, rgb("e6b84a"), hem)
     dots = np.arctan2(p[:, 0], -p[:, 1]) * 18
-    c = mix(c, rgb("8c2f2a"), hem * step(.2, .5, np.sin(dots)) * stroke(p[:, 2] - .541, .005))
-    patch = np.hypot(along - .165, (m[:, 1] - .045) * .8)
+    c = mix(c, rgb("8c2f2a"), hem * step(.2, .5, np.sin(dots)) * stroke(p[:, 2] - .533, .005))
+    patch = np.hypot(along - .165, (m[:, 1] - .045) * .8) + (m[:, 0] < .19)      # on the arm only
     c = mix(c, rgb("7a4a2a"), step(.036, .033, patch) * (m[:, 1] > .02))
     return mix(c, rgb("e0b070"), stroke(patch - .029, .0016, .001) * (m[:, 1] > .02) * .8)
 
@@ -163,7 +163,7 @@ def _scarf(c, p):
     c = _weave(c, p, 700)
     angle = np.arctan2(p[:, 0], -p[:, 1])
     ring = np.hypot(p[:, 0], p[:, 1] - .01) < .15
-    along = np.where(ring, angle * .11, (p - np.array(fs.sk.SCARF[0])) @ np.array((.35, .85, -.35)))
+    along = np.where(ring, angle * .11, (p - np.array(fs.sk.SCARF[0])) @ np.array((.58, .70, -.40)))
     stripe = step(.25, .45, np.sin(along * 100 + .6))
     c = mix(c, rgb("b8402f"), stripe * .95)
     c = mix(c, rgb("fbe6b0"), stroke(np.sin(along * 100 + .6) - .1, .10, .05) * .8)
@@ -185,11 +185,11 @@ def _pack(c, p, m, n):
 def _roll(c, p):
     c = _weave(c, p, 600)
     radius = np.hypot(p[:, 1] - .205, p[:, 2] - .846)
-    end = np.abs(p[:, 0]) > .134
+    end = np.abs(p[:, 0]) > .118
     spiral = np.sin(radius * 420 + np.arctan2(p[:, 1] - .205, p[:, 2] - .846))
     c = mix(c, rgb("f3d9a8"), end * step(0, .5, spiral) * .9)
-    band = stroke(np.abs(p[:, 0]) - .075, .012, .002)
-    return mix(mix(c, rgb("f3d9a8"), stroke(np.abs(p[:, 0]) - .112, .004) * ~end), rgb("5e3820"), band)
+    band = stroke(np.abs(p[:, 0]) - .068, .012, .002)
+    return mix(mix(c, rgb("f3d9a8"), stroke(np.abs(p[:, 0]) - .100, .004) * ~end), rgb("5e3820"), band)
 
 
 def _buckle(c, p, m, n):
@@ -220,6 +220,7 @@ def occlusion(p, n):
 
 def colour(p, n):
     """sRGB colours for places p with normals n, both (N, 3)."""
+    p = p - fs.gradient(p) * fs.distance(p)[:, None]     # from the flat triangle to the round body
     kind = fs.material(p - n * .003)
     c = np.stack([BASE[k] for k in range(16)])[kind]
     painters = {

@@ -47,7 +47,7 @@ def _skull(p):
 def _ear(p):
     m = mirrored(p)
     base, _, tip = [tuple(v) for v in sk.EAR_DRAWN]
-    outer = squash(m, base, (-.2, .98, 0), 0.48, lambda q: round_cone(q, base, tip, .084, .013))
+    outer = squash(m, base, (-.2, .98, 0), 0.48, lambda q: round_cone(q, base, tip, .084, .019))
     cup = [(b[0] - .006, b[1] - .040, b[2]) for b in (base, tip)]
     inner = squash(m, cup[0], (-.2, .98, 0), 0.5, lambda q: round_cone(q, cup[0], cup[1], .062, .002))
     return smooth_cut(outer, inner, 0.012)
@@ -60,8 +60,9 @@ def _eye(p):
 def _torso(p):
     def body(q):
         d = round_cone(q, (0, .01, .655), (0, .01, .765), .128, .108)
-        return smooth_union(d, ellipsoid(q, (0, .01, .575), (.190, .196, .060)), .035)
-    return squash(p, (0, .01, 0), (0, 1, 0), 0.90, body)
+        skirt = round_cone(q, (0, .01, .630), (0, .01, .568), .128, .184)
+        return smooth_union(d, skirt, .03)
+    return np.maximum(squash(p, (0, .01, 0), (0, 1, 0), 0.90, body), .520 - p[:, 2])
 
 
 def _arm_points():
@@ -118,8 +119,9 @@ def _buckle(p):
 def _trousers(p):
     m = mirrored(p)
     d = ellipsoid(p, (0, .012, .540), (.138, .118, .078))
-    leg = tube(m, (sk.HIP, sk.KNEE, (.092, .004, .245)), (.086, .076, .079))
-    return np.maximum(smooth_union(d, leg, .03), .208 - p[:, 2])     # tucked into the boots
+    leg = tube(m, (sk.HIP, sk.KNEE, (.092, .004, .245)), (.081, .076, .079))
+    d = np.maximum(smooth_union(d, leg, .03), .208 - p[:, 2])      # tucked into the boots
+    return np.maximum(d, p[:, 2] - .570)                            # and under the jacket
 
 
 def _boot(p):
@@ -153,7 +155,7 @@ def _scarf_ring(p):
 
 
 def _scarf_end(p):
-    flat = (.86, -.50, .10)        # thin across, wide up and down
+    flat = (.76, -.64, .10)        # thin across, wide up and down
     return squash(p, sk.SCARF[1], flat, 0.36, lambda q: tube(q, sk.SCARF, (.036, .046, .054, .060)))
 
 
@@ -167,7 +169,7 @@ def _pack(p):
 
 def _roll(p):
     across = np.sqrt((p[:, 1] - .205) ** 2 + (p[:, 2] - .846) ** 2) - .046
-    ends = np.abs(p[:, 0]) - .140
+    ends = np.abs(p[:, 0]) - .124
     edge = np.stack([across + .014, ends + .014], 1)
     return np.linalg.norm(np.maximum(edge, 0), axis=1) + np.minimum(edge.max(1), 0) - .014
 
@@ -177,7 +179,7 @@ PARTS = [
     (TROUSERS, .010, _trousers),
     (BOOT, .008, _boot),
     (SOLE, .004, _sole),
-    (JACKET, .010, _torso),
+    (JACKET, .006, _torso),
     (JACKET, .035, _sleeve),
     (CUFF, .006, _cuff),
     (PAW, .008, _hand),

@@ -35,8 +35,8 @@ FINGERS = {
 
 TAIL = [Vector(p) for p in ((0, 0.115, 0.560), (0, 0.215, 0.500), (0, 0.325, 0.470),
                             (0, 0.435, 0.505), (0, 0.520, 0.600))]
-SCARF = [Vector(p) for p in ((0.060, 0.095, 0.880), (0.120, 0.185, 0.885),
-                             (0.165, 0.270, 0.845), (0.195, 0.345, 0.775))]
+SCARF = [Vector(p) for p in ((0.075, 0.075, 0.885), (0.160, 0.150, 0.905),
+                             (0.222, 0.230, 0.870), (0.268, 0.300, 0.795))]
 # The head was drawn smaller and then grown about its base: a big head is friendlier.
 HEAD_BASE = Vector((0, 0, 0.945))
 HEAD_GROWTH = 1.13

@@ -18,7 +18,7 @@ ALLOWED = {
     fs.SCARF: ("scarf", "neck", "chest", "clavicle"),
     fs.BOOT: ("shin", "foot", "toe"), fs.SOLE: ("foot", "toe"),
     fs.TROUSERS: ("pelvis", "spine1", "thigh", "shin"),
-    fs.JACKET: ("pelvis", "spine", "chest", "neck", "clavicle", "upperarm", "forearm", "thigh"),
+    fs.JACKET: ("pelvis", "spine", "chest", "neck", "clavicle", "upperarm", "forearm"),
     fs.STRAP: ("pelvis", "spine", "chest", "clavicle", "upperarm"),
     fs.BUCKLE: ("spine1",),
 }
@@ -77,6 +77,8 @@ def _mask(positions, names):
             mask[positions[:, 0] < -.02, i] = 0
         if name.endswith("_R"):
             mask[positions[:, 0] > .02, i] = 0
+        if name.startswith("foot"):      # the tip of the sole rolls with the toe alone
+            mask[positions[:, 1] < fox_skeleton.BALL.y - .03, i] = 0
     return mask
 
 
