@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "render/GlObject.h"
+#include "render/Vbo.h"
+
+namespace walkcycle {
+
+// A long array that shaders read with texelFetch: palettes, influences, morph deltas, lights.
+class BufferTexture {
+public:
+    // `format` is that of a texel: GL_RGBA32F, GL_RG32F, GL_RG32UI.
+    explicit BufferTexture(GLenum format);
+
+    void bind(int unit) const;
+
+    template <typename T>
+    void store(std::span<const T> data, GLenum usage = GL_STATIC_DRAW) {
+        buffer_.store(data, usage);
+    }
+
+    // How many texels fit here. OpenGL 3.3 promises 65,536.
+    static std::size_t maxTexels();
+
+private:
+    Vbo buffer_;
+    GlObject<gl::deleteTexture> texture_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/GlObject.h"
+
+namespace walkcycle {
+
+// A vertex and a fragment shader, linked. Sources are names of files in src/render/shaders; each stage is
+// their texts one after the other, below `#version 330 core` and the given #defines.
+class ShaderProgram {
+public:
+    struct Stages {
+        std::initializer_list<std::string_view> vertex;
+        std::initializer_list<std::string_view> fragment;  // empty: none, for transform feedback
+    };
+
+    // `captured` are outputs of the vertex shader that transform feedback writes, interleaved. Throws
+    // std::runtime_error with the compiler's words: a broken promise of ours or of the driver, never of a
+    // file.
+    explicit ShaderProgram(const Stages& stages, const std::string& defines = {},
+                           std::span<const char* const> captured = {});
+
+    void start() const { glUseProgram(program_.id()); }
+
+    // Where a uniform is; -1 where the shader does not use it, which setting then ignores.
+    GLint uniform(const char* name) const { return glGetUniformLocation(program_.id(), name); }
+
+    // For samplers, which keep their unit: set once after linking. The program must be started.
+    void setSampler(const char* name, int unit) const { glUniform1i(uniform(name), unit); }
+
+private:
+    GlObject<gl::deleteProgram> program_;
+};
+
+// Setting uniforms of the program that was started, by the value's type.
+void setUniform(GLint location, int value);
+void setUniform(GLint location, float value);
+void setUniform(GLint location, const glm::vec2& value);
+void setUniform(GLint location, const glm::vec3& value);
+void setUniform(GLint location, const glm::vec4& value);
+void setUniform(GLint location, const glm::mat4& value);
+
+}  // namespace walkcycle
