@@ -25,8 +25,8 @@ public:
     void render(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
                 const RenderOptions& options = {});
 
-    // The same in steps, for pictures with several models: clear once, then draw each.
-    void clear(const Camera& camera, const RenderTarget& target, const RenderOptions& options = {});
+    // The same in steps, for pictures with several models: clear once, then draw each. Without the grid.
+    void clear(const RenderTarget& target, const RenderOptions& options = {});
     void draw(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
               const RenderOptions& options = {});
 

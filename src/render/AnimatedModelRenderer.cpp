@@ -1,0 +1,255 @@
+#include "render/AnimatedModelRenderer.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/AnimatedModelShader.h"
+#include "render/BackgroundRenderer.h"
+#include "render/FileLights.h"
+#include "render/GridRenderer.h"
+#include "render/InstanceStates.h"
+#include "render/SkeletonRenderer.h"
+#include "render/VertexInput.h"
+
+namespace walkcycle {
+namespace {
+
+using Pass = AnimatedModelShader::Pass;
+
+// A framebuffer of ours turns light into sRGB by itself; a window's may not, and then the shaders do.
+bool mustEncode(const RenderTarget& target) {
+    const GLenum attachment = target.framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0;
+    GLint encoding = GL_LINEAR;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment,
+                                          GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
+    return encoding != GL_SRGB;
+}
+
+// Everything that drawing relies on and that somebody else may have changed. Returns whether shaders must encode.
+bool startDrawingTo(const RenderTarget& target) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, target.width, target.height);
+    const bool encodesItself = mustEncode(target);
+    (encodesItself ? glDisable : glEnable)(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CULL_FACE);  // COLLADA shows both sides
+    glDepthFunc(GL_LEQUAL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    return encodesItself;
+}
+
+bool hasTexture(const Material& material, Slot slot) {
+    return material.slot(slot).texture >= 0;
+}
+
+bool showsThrough(const Material& material) {
+    if (!material.transparent) return false;
+    return hasTexture(material, Slot::Transparent) ||
+           opacity(material, material.slot(Slot::Transparent).color) < 1.0f;
+}
+
+// What a part without a material looks like.
+const Material& plainMaterial() {
+    static const Material plain = [] {
+        Material material;
+        material.slot(Slot::Diffuse) = {
+            .present = true, .color = {0.75f, 0.75f, 0.75f, 1.0f}, .texture = -1, .texCoordName = {}};
+        return material;
+    }();
+    return plain;
+}
+
+}  // namespace
+
+struct AnimatedModelRenderer::Impl {
+    struct Draw {
+        std::size_t instance = 0;
+        const ModelResource::Part* part = nullptr;
+        const Material* material = nullptr;
+        float distance = 0.0f;  // from the camera
+    };
+    struct Scene {
+        const AnimatedModel& model;
+        const Camera& camera;
+        const RenderOptions& options;
+        bool encodesItself;
+    };
+
+    std::map<AnimatedModelShader::Variant, AnimatedModelShader> shaders;
+    InstanceStates states;
+    FileLights lights;
+    BufferTexture lightTexture{GL_RGBA32F};
+    std::vector<Draw> solid, seeThrough;
+    std::optional<BackgroundRenderer> background;  // each is made when it is first needed
+    std::optional<GridRenderer> grid;
+    std::optional<SkeletonRenderer> skeleton;
+    struct Wireframe {
+        ShaderProgram program{{{"animatedModelVertex"}, {"flatFragment"}}};
+        DeformUniforms deform{(program.start(), program)};
+    };
+    std::optional<Wireframe> wireframe;
+
+    const AnimatedModelShader& shaderFor(const Scene& scene);
+    void prepare(const Scene& scene);
+    void sortParts(const Scene& scene);
+    void drawSolid(const Scene& scene, const AnimatedModelShader& shader);
+    void drawSeeThrough(const Scene& scene, const AnimatedModelShader& shader);
+    void drawPart(const Scene& scene, const AnimatedModelShader& shader, const Draw& draw, Pass pass);
+    void drawWireframe(const Scene& scene);
+    void drawModel(const Scene& scene, bool withGrid);
+};
+
+const AnimatedModelShader& AnimatedModelRenderer::Impl::shaderFor(const Scene& scene) {
+    const ModelResource& resource = *scene.model.resource();
+    const AnimatedModelShader::Variant variant{scene.options.lights, resource.texturedSlots(),
+                                               resource.separateCoords(), resource.bumpMapped()};
+    return shaders.try_emplace(variant, variant).first->second;
+}
+
+void AnimatedModelRenderer::Impl::prepare(const Scene& scene) {
+    states.prepare(scene.model);
+    sortParts(scene);
+    if (scene.options.lights != Lighting::File) return;
+    lights.gather(scene.model, scene.camera);
+    lightTexture.store(std::span<const glm::vec4>(lights.texels()), GL_STREAM_DRAW);
+    lightTexture.bind(TextureUnit::kLights);
+}
+
+// Solid parts first, in the file's order; then what shows through, the farthest first.
+void AnimatedModelRenderer::Impl::sortParts(const Scene& scene) {
+    solid.clear();
+    seeThrough.clear();
+    const auto& instances = scene.model.resource()->instances();
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!states.states()[i].visible) continue;
+        for (const ModelResource::Part& part : instances[i].parts) {
+            if (part.indexCount == 0) continue;
+            Draw draw{i, &part, &plainMaterial()};
+            if (part.material >= 0)
+                draw.material = &scene.model.scene().materials[static_cast<std::size_t>(part.material)];
+            if (!showsThrough(*draw.material)) {
+                solid.push_back(draw);
+                continue;
+            }
+            const glm::vec3 middle = states.position(scene.model, i, part.middle);
+            draw.distance = -(scene.camera.view * glm::vec4(middle, 1.0f)).z;
+            seeThrough.push_back(draw);
+        }
+    }
+    std::sort(seeThrough.begin(), seeThrough.end(), [](const Draw& a, const Draw& b) {
+        return a.distance != b.distance ? a.distance > b.distance : a.part < b.part;
+    });
+}
+
+void AnimatedModelRenderer::Impl::drawPart(const Scene& scene, const AnimatedModelShader& shader,
+                                           const Draw& draw, Pass pass) {
+    shader.loadInstance(states.bind(scene.model, draw.instance));
+    shader.loadMaterial(*draw.material, *scene.model.resource());
+    shader.loadPass(pass);
+    scene.model.resource()->vao(draw.part->vao).bind();
+    const auto offset = static_cast<std::uintptr_t>(draw.part->firstIndex) * sizeof(std::uint32_t);
+    glDrawElements(draw.part->primitive == Primitive::Lines ? GL_LINES : GL_TRIANGLES,
+                   static_cast<GLsizei>(draw.part->indexCount), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+}
+
+void AnimatedModelRenderer::Impl::drawSolid(const Scene& scene, const AnimatedModelShader& shader) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    if (scene.options.wireframe) {
+        glEnable(GL_POLYGON_OFFSET_FILL);  // leaves the edges in front
+        glPolygonOffset(1.0f, 1.0f);
+    }
+    for (const Draw& draw : solid) drawPart(scene, shader, draw, Pass::All);
+    // Hair and leaves: where their picture is solid they hide what is behind them, in whatever order they come.
+    for (const Draw& draw : seeThrough) {
+        if (hasTexture(*draw.material, Slot::Transparent)) drawPart(scene, shader, draw, Pass::Solid);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void AnimatedModelRenderer::Impl::drawSeeThrough(const Scene& scene, const AnimatedModelShader& shader) {
+    if (seeThrough.empty()) return;
+    shader.start();
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const Draw& draw : seeThrough) {
+        drawPart(scene, shader, draw, Pass::Backs);
+        drawPart(scene, shader, draw, Pass::Fronts);
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void AnimatedModelRenderer::Impl::drawWireframe(const Scene& scene) {
+    if (!wireframe) wireframe.emplace();
+    const ShaderProgram& program = wireframe->program;
+    program.start();
+    setUniform(program.uniform("viewProjection"), scene.camera.viewProjection());
+    setUniform(program.uniform("encodesItself"), scene.encodesItself ? 1 : 0);
+    setUniform(program.uniform("flatColor"), glm::vec4(0.012f, 0.014f, 0.018f, 1.0f));
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    for (const auto* draws : {&solid, &seeThrough}) {
+        for (const Draw& draw : *draws) {
+            if (draw.part->primitive == Primitive::Lines) continue;
+            wireframe->deform.load(states.bind(scene.model, draw.instance));
+            scene.model.resource()->vao(draw.part->vao).bind();
+            const auto offset = static_cast<std::uintptr_t>(draw.part->firstIndex) * sizeof(std::uint32_t);
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(draw.part->indexCount), GL_UNSIGNED_INT,
+                           reinterpret_cast<const void*>(offset));
+        }
+    }
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void AnimatedModelRenderer::Impl::drawModel(const Scene& scene, bool withGrid) {
+    const AnimatedModelShader& shader = shaderFor(scene);
+    prepare(scene);
+    shader.start();
+    shader.loadCamera(scene.camera, scene.encodesItself);
+    if (scene.options.lights == Lighting::File) shader.loadLights(lights);
+    drawSolid(scene, shader);
+    if (withGrid && scene.options.grid && scene.options.background != Background::None) {
+        if (!grid) grid.emplace();
+        grid->render(scene.model.bounds(), scene.camera, scene.encodesItself);
+    }
+    drawSeeThrough(scene, shader);
+    if (scene.options.wireframe) drawWireframe(scene);
+    if (scene.options.skeleton) {
+        if (!skeleton) skeleton.emplace();
+        skeleton->render(scene.model, scene.camera, scene.encodesItself);
+    }
+}
+
+AnimatedModelRenderer::AnimatedModelRenderer() : impl_(std::make_unique<Impl>()) {}
+AnimatedModelRenderer::~AnimatedModelRenderer() = default;
+AnimatedModelRenderer::AnimatedModelRenderer(AnimatedModelRenderer&&) noexcept = default;
+AnimatedModelRenderer& AnimatedModelRenderer::operator=(AnimatedModelRenderer&&) noexcept = default;
+
+void AnimatedModelRenderer::render(const AnimatedModel& model, const Camera& camera,
+                                   const RenderTarget& target, const RenderOptions& options) {
+    clear(target, options);
+    impl_->drawModel({model, camera, options, startDrawingTo(target)}, true);
+}
+
+void AnimatedModelRenderer::clear(const RenderTarget& target, const RenderOptions& options) {
+    const bool encodesItself = startDrawingTo(target);
+    if (!impl_->background) impl_->background.emplace();
+    impl_->background->render(options, encodesItself);
+}
+
+void AnimatedModelRenderer::draw(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
+                                 const RenderOptions& options) {
+    impl_->drawModel({model, camera, options, startDrawingTo(target)}, false);
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+#include "model/Material.h"
+#include "render/Camera.h"
+#include "render/FileLights.h"
+#include "render/ModelResource.h"
+#include "render/RenderOptions.h"
+#include "render/ShaderProgram.h"
+
+namespace walkcycle {
+
+// What animatedModelVertex.glsl must be told of an instance before it can deform it.
+struct DeformUniforms {
+    struct Values {
+        int firstJoint = 0;           // where the palette begins
+        glm::ivec2 morphRange{0, 0};  // from which to before which entry of `morphs`
+        int positionCount = 0;
+        int vertexCount = 0;
+    };
+
+    explicit DeformUniforms(const ShaderProgram& program);  // the program must be started
+    void load(const Values& values) const;
+
+private:
+    GLint firstJoint_, morphRange_, positionCount_, vertexCount_;
+};
+
+// The program that draws a model: skinning and morphs in the vertex shader, one of two kinds of light in the
+// fragment shader. A variant holds what all materials of a model need, so that a model needs a single one.
+class AnimatedModelShader {
+public:
+    struct Variant {
+        Lighting lighting = Lighting::Studio;
+        std::uint32_t texturedSlots = 0;  // a bit per Slot
+        bool separateCoords = false;      // slots of one part use different texture coordinates
+        bool bumped = false;
+
+        auto operator<=>(const Variant&) const = default;
+    };
+    // Which fragments of a part with transparency a draw keeps.
+    enum class Pass { All, Solid, Backs, Fronts };
+
+    explicit AnimatedModelShader(const Variant& variant);
+
+    void start() const { program_.start(); }
+    void loadCamera(const Camera& camera, bool encodesItself) const;
+    void loadLights(const FileLights& lights) const;
+    void loadInstance(const DeformUniforms::Values& values) const { deform_.load(values); }
+    void loadMaterial(const Material& material, const ModelResource& resource) const;
+    void loadPass(Pass pass) const;
+
+private:
+    Variant variant_;
+    ShaderProgram program_;
+    DeformUniforms deform_;
+    GLint viewProjection_, eye_, encodesItself_, slotColors_, opaqueMode_, transparency_, pass_, bumped_;
+    GLint keyDirection_, fillDirection_, rimDirection_;
+    GLint shadingModel_, shininess_, reflectivity_, ambientLight_, lightCount_;
+};
+
+}  // namespace walkcycle

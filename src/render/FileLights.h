@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/AnimatedModel.h"
+#include "render/Camera.h"
+
+namespace walkcycle {
+
+// The document's lights at one moment, as fileFragment.glsl reads them: four texels a light,
+//     position and 1, or the direction towards a directional light and 0
+//     where a spot points, and the cosine of half its angle (-2: not a spot)
+//     colour times intensity, falloff exponent
+//     constant, linear and quadratic attenuation, per metre
+// A document without lights gets a white headlight at the camera.
+class FileLights {
+public:
+    void gather(const AnimatedModel& model, const Camera& camera);  // reuses its memory
+
+    const glm::vec3& ambient() const { return ambient_; }
+    const std::vector<glm::vec4>& texels() const { return texels_; }
+    int count() const { return static_cast<int>(texels_.size() / 4); }
+
+private:
+    void add(const SceneLight& light, const glm::mat4& nodeTransform, float metersPerUnit);
+
+    glm::vec3 ambient_{0.0f};
+    std::vector<glm::vec4> texels_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "model/CpuSkinning.h"
+#include "render/AnimatedModel.h"
+#include "render/AnimatedModelShader.h"
+#include "render/JointPalette.h"
+#include "render/ModelResource.h"
+
+namespace walkcycle {
+
+// How each instance of a model is deformed at one moment: palettes, morph coefficients, and, for what the shader
+// cannot do, vertices deformed here. Keeps its memory, so that nothing is allocated per picture.
+class InstanceStates {
+public:
+    struct State {
+        bool visible = true;
+        std::size_t page = 0;  // of the palette
+        DeformUniforms::Values deform;
+        std::size_t firstMatrix = 0;  // where its palette begins among all of this moment
+        std::size_t matrixCount = 0;
+    };
+
+    void prepare(const AnimatedModel& model);
+    const std::vector<State>& states() const { return states_; }
+
+    // Binds what the shader reads for an instance, and returns what it must be told.
+    const DeformUniforms::Values& bind(const AnimatedModel& model, std::size_t instance) const;
+
+    // Where a position of the instance is now, in model space; for sorting.
+    glm::vec3 position(const AnimatedModel& model, std::size_t instance, std::uint32_t position) const;
+
+private:
+    void prepareInstance(const AnimatedModel& model, std::size_t instance);
+    void addPalette(const AnimatedModel& model, std::size_t instance);
+    void deformOnCpu(const AnimatedModel& model, std::size_t instance);
+    void addMorphs(const AnimatedModel& model, std::size_t instance);
+
+    JointPalette palette_;
+    BufferTexture morphTexture_{GL_RG32F};
+    std::vector<State> states_;
+    std::vector<glm::mat4> skinPalette_, matrices_;
+    std::vector<float> coefficients_;
+    std::vector<glm::vec2> morphs_;
+    CpuSkinning cpu_;
+    std::vector<glm::vec3> positions_, normals_;
+};
+
+}  // namespace walkcycle

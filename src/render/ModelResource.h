@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/CpuSkinning.h"
+#include "model/Model.h"
+#include "render/GlTexture.h"
+#include "render/MeshBuffers.h"
+
+namespace walkcycle {
+
+// A model's buffers and textures on the GPU, shared by every AnimatedModel of it. Belongs to the OpenGL context that
+// was current when it was made.
+class ModelResource {
+public:
+    // What is drawn with one call: a part of an instance, its material, and the inputs that fit them.
+    struct Part {
+        Primitive primitive = Primitive::Triangles;
+        std::uint32_t firstIndex = 0, indexCount = 0;
+        int material = -1;    // index into Model::materials
+        std::size_t vao = 0;  // index into vaos()
+        std::uint32_t middle =
+            0;  // the file position nearest to the part's middle, by which parts are sorted
+    };
+
+    struct Instance {
+        bool deformedOnCpu = false;
+        int skin = -1;  // index into Model::skins; -1: rigid, or deformed on the CPU
+        int influences = -1;
+        const InfluenceBuffers* influenceBuffers = nullptr;
+        const MorphBuffers* morphBuffers = nullptr;
+        std::size_t morphCount = 0;  // leading deformers that the shader sums up
+        std::unique_ptr<DeformedBuffers> deformed;
+        std::vector<Part> parts;
+    };
+
+    // `maxTexels`: how large a texture buffer may be.
+    explicit ModelResource(const Model& model, std::size_t maxTexels = BufferTexture::maxTexels());
+
+    const std::vector<Instance>& instances() const { return instances_; }
+    const Vao& vao(std::size_t i) const { return vaos_[i]; }
+
+    // The slot's picture: index into Model::textures. Null where there is none.
+    const GlTexture* texture(int index, Slot slot) const;
+    const GlTexture& white() const { return white_; }
+
+    // What the model's materials use, from which the shader's one variant is made.
+    std::uint32_t texturedSlots() const { return texturedSlots_; }
+    bool separateCoords() const { return separateCoords_; }
+    bool bumpMapped() const { return bumpMapped_; }
+
+private:
+    using VaoKey = std::array<int, 4 + kSlotCount>;
+
+    void addTextures(const Model& model);
+    void addTexture(const Model& model, int index, Slot slot);
+    void addInstance(const Model& model, const MeshInstance& instance, std::size_t maxTexels);
+    Part part(const Model& model, const MeshInstance& instance, std::size_t index, const Instance& resource);
+    std::size_t vaoFor(const Model& model, const MeshInstance& instance, const PartMaterial& material,
+                       const Instance& resource);
+    const MeshBuffers& meshBuffers(const Model& model, int mesh);
+    const InfluenceBuffers& influenceBuffers(const Model& model, int influences, int mesh);
+    const MorphBuffers& morphBuffers(const Model& model, const MeshInstance& instance, std::size_t count);
+
+    std::vector<Instance> instances_;
+    std::map<int, MeshBuffers> meshes_;
+    std::map<std::array<int, 2>, InfluenceBuffers> influences_;
+    std::map<std::vector<int>, MorphBuffers> morphs_;
+    std::map<VaoKey, std::size_t> vaoOfKey_;
+    std::vector<Vao> vaos_;
+    std::vector<std::optional<GlTexture>> colorTextures_, dataTextures_;
+    GlTexture white_ = GlTexture::white();
+    std::uint32_t texturedSlots_ = 0;
+    bool separateCoords_ = false;
+    bool bumpMapped_ = false;
+};
+
+}  // namespace walkcycle

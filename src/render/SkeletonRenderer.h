@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/AnimatedModel.h"
+#include "render/Camera.h"
+#include "render/ShaderProgram.h"
+#include "render/Vao.h"
+
+namespace walkcycle {
+
+// Draws the joints that move a skin, as slim double pyramids from parent to child, on top of everything.
+class SkeletonRenderer {
+public:
+    SkeletonRenderer();
+
+    void render(const AnimatedModel& model, const Camera& camera, bool encodesItself);
+
+private:
+    void addShape(const glm::vec3& from, const glm::vec3& to, float width);
+
+    ShaderProgram program_;
+    Vbo positions_;
+    Vao vao_;
+    GLint viewProjection_, flatColor_, encodesItself_;
+    std::vector<glm::vec3> triangles_, edges_;
+};
+
+// Per joint of the skeleton: whether it is a joint, or a skin's entry refers to it.
+std::vector<bool> shownJoints(const Model& model);
+
+}  // namespace walkcycle

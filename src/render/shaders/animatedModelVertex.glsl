@@ -1,0 +1,91 @@
+// The sum of all influences, as in the second episode of the series, for any number of joints and influences:
+//     position = sum of weight[i] * palette[joint[i]] * position
+// A rigid mesh has a palette of one. Locations are those of VertexInput in AnimatedModelShader.h.
+layout(location = 0) in vec3 in_position;
+layout(location = 1) in vec3 in_normal;
+layout(location = 2) in uvec4 in_jointIndices;     // the first four influences
+layout(location = 3) in vec4 in_weights;
+layout(location = 4) in uvec2 in_moreInfluences;   // from which to before which entry of moreInfluences
+layout(location = 5) in uint in_positionIndex;     // which of the file's positions this vertex stands at
+layout(location = 6) in vec4 in_color;
+layout(location = 7) in vec4 in_tangent;
+#ifdef SEPARATE_COORDS
+layout(location = 8) in vec2 in_textureCoords[7];  // one per slot of the material
+#else
+layout(location = 8) in vec2 in_textureCoords;
+#endif
+
+uniform samplerBuffer palette;         // three rows a joint
+uniform usamplerBuffer moreInfluences;  // joint, and the weight's bits
+uniform samplerBuffer morphs;          // target, coefficient
+uniform samplerBuffer positionDeltas;  // target after target, one per position
+uniform samplerBuffer normalDeltas;    // target after target, one per vertex
+
+uniform int firstJoint;  // where this instance's palette begins
+uniform ivec2 morphRange;
+uniform int positionCount;
+uniform int vertexCount;
+uniform mat4 viewProjection;
+
+out vec3 modelPosition;
+out vec3 modelNormal;
+out vec4 vertexColor;
+#ifdef BUMP
+out vec4 modelTangent;
+#endif
+#ifdef SEPARATE_COORDS
+out vec2 textureCoords[7];
+#else
+out vec2 textureCoords;
+#endif
+
+// Three rows as the columns of a mat3x4: vector * rows is what matrix * vector is on the page.
+mat3x4 jointTransform(uint joint) {
+    int texel = (firstJoint + int(joint)) * 3;
+    return mat3x4(texelFetch(palette, texel), texelFetch(palette, texel + 1), texelFetch(palette, texel + 2));
+}
+
+mat3x4 sumOfInfluences() {
+    mat3x4 sum = jointTransform(in_jointIndices.x) * in_weights.x;
+    if (in_weights.y != 0.0) sum += jointTransform(in_jointIndices.y) * in_weights.y;
+    if (in_weights.z != 0.0) sum += jointTransform(in_jointIndices.z) * in_weights.z;
+    if (in_weights.w != 0.0) sum += jointTransform(in_jointIndices.w) * in_weights.w;
+    for (uint i = in_moreInfluences.x; i < in_moreInfluences.y; ++i) {
+        uvec2 influence = texelFetch(moreInfluences, int(i)).xy;
+        sum += jointTransform(influence.x) * uintBitsToFloat(influence.y);
+    }
+    return sum;
+}
+
+// Normals turn by the inverse transpose, here by cross products, which also serves where there is no inverse.
+vec3 turnNormal(mat3x4 rows, vec3 normal) {
+    mat3 turned = mat3(cross(rows[1].xyz, rows[2].xyz), cross(rows[2].xyz, rows[0].xyz),
+                       cross(rows[0].xyz, rows[1].xyz));
+    float mirrored = dot(rows[0].xyz, turned[0]) < 0.0 ? -1.0 : 1.0;
+    vec3 result = mirrored * (normal * turned);
+    float size = length(result);
+    return size > 0.0 ? result / size : vec3(0.0);
+}
+
+void main() {
+    vec3 position = in_position;
+    vec3 normal = in_normal;
+    for (int i = morphRange.x; i < morphRange.y; ++i) {
+        vec2 morph = texelFetch(morphs, i).xy;
+        position += morph.y * texelFetch(positionDeltas, int(morph.x) * positionCount + int(in_positionIndex)).xyz;
+        normal += morph.y * texelFetch(normalDeltas, int(morph.x) * vertexCount + gl_VertexID).xyz;
+    }
+    mat3x4 transform = sumOfInfluences();
+    modelPosition = vec4(position, 1.0) * transform;
+    modelNormal = turnNormal(transform, normal);
+    vertexColor = in_color;
+#ifdef BUMP
+    modelTangent = vec4(vec4(in_tangent.xyz, 0.0) * transform, in_tangent.w);
+#endif
+#ifdef SEPARATE_COORDS
+    for (int i = 0; i < 7; ++i) textureCoords[i] = vec2(in_textureCoords[i].x, 1.0 - in_textureCoords[i].y);
+#else
+    textureCoords = vec2(in_textureCoords.x, 1.0 - in_textureCoords.y);
+#endif
+    gl_Position = viewProjection * vec4(modelPosition, 1.0);
+}

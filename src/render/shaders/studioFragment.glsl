@@ -1,0 +1,46 @@
+// A photographer's light, the same for every model: a warm key from the upper left of the camera, a cool fill from
+// the right, light from the sky above and back from the ground. A white sheet that faces the key stays just white.
+uniform vec3 keyDirection;   // towards each light, in model space
+uniform vec3 fillDirection;
+uniform vec3 rimDirection;
+
+const vec3 KEY = vec3(0.74, 0.71, 0.67);
+const vec3 FILL = vec3(0.17, 0.19, 0.22);
+const vec3 RIM = vec3(0.16, 0.17, 0.18);
+const vec3 SKY = vec3(0.27, 0.28, 0.30);
+const vec3 GROUND = vec3(0.13, 0.12, 0.11);
+
+// Light that reaches a little round the edge, as from a large lamp.
+float soft(vec3 normal, vec3 light) { return max((dot(normal, light) + 0.25) / 1.25, 0.0); }
+
+vec3 baseColor() {
+    vec3 color = decoded(slotColors[DIFFUSE].rgb) * decoded(vertexColor.rgb);
+#if (TEXTURED & 4) != 0
+    color *= texture(slotTextures[DIFFUSE], COORDS(DIFFUSE)).rgb;
+#endif
+    return color;
+}
+
+vec3 emission() {
+    vec3 color = decoded(slotColors[EMISSION].rgb);
+#if (TEXTURED & 1) != 0
+    color *= texture(slotTextures[EMISSION], COORDS(EMISSION)).rgb;
+#endif
+    return color;
+}
+
+void main() {
+    vec3 view = towardsEye();
+    float side;
+    vec3 normal = facingNormal(view, side);
+    float alpha = opacity();
+    keepForPass(alpha, side);
+
+    vec3 light = KEY * soft(normal, keyDirection) + FILL * soft(normal, fillDirection) +
+                 RIM * max(dot(normal, rimDirection), 0.0) + mix(GROUND, SKY, normal.y * 0.5 + 0.5);
+    // A faint sheen, more at grazing angles, tells round from flat.
+    vec3 halfway = normalize(keyDirection + view);
+    float grazing = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
+    float sheen = 0.05 * pow(max(dot(normal, halfway), 0.0), 24.0) + 0.04 * grazing;
+    give(baseColor() * light + vec3(sheen) + emission(), alpha);
+}

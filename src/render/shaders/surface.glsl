@@ -1,0 +1,111 @@
+// What both kinds of light need to know of a fragment: its material, which way it faces, and how to give a colour.
+// TEXTURED has a bit for each slot of the material that has a picture somewhere in the model.
+in vec3 modelPosition;
+in vec3 modelNormal;
+in vec4 vertexColor;
+#ifdef BUMP
+in vec4 modelTangent;
+#endif
+#ifdef SEPARATE_COORDS
+in vec2 textureCoords[7];
+#define COORDS(slot) textureCoords[slot]
+#else
+in vec2 textureCoords;
+#define COORDS(slot) textureCoords
+#endif
+
+const int EMISSION = 0, AMBIENT = 1, DIFFUSE = 2, SPECULAR = 3, REFLECTIVE = 4, TRANSPARENT = 5, BUMPMAP = 6;
+
+uniform vec4 slotColors[7];  // as in the file, not linear
+#if TEXTURED != 0
+uniform sampler2D slotTextures[7];
+#endif
+
+uniform int opaqueMode;       // -1: solid; else A_ONE, RGB_ZERO, A_ZERO, RGB_ONE
+uniform float transparency;
+uniform ivec2 pass;           // x: 0 all, 1 only what is solid, 2 only what is not; y: 0 all, -1 backs, 1 fronts
+uniform bool encodesItself;   // the target does not turn linear light into sRGB
+uniform vec4 eye;             // the camera's position, w = 1, or the direction towards it, w = 0
+
+out vec4 out_color;
+
+vec3 encoded(vec3 light) {
+    vec3 c = clamp(light, 0.0, 1.0);
+    return mix(c * 12.92, 1.055 * pow(max(c, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+vec3 decoded(vec3 c) {
+    return mix(c / 12.92, pow((max(c, vec3(0.0)) + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
+
+// A slot's value: its colour, times its picture where it has one. Pictures arrive as light, and go back to the file's
+// numbers here.
+#define PICTURE(slot) fileColor(texture(slotTextures[slot], COORDS(slot)))
+vec4 fileColor(vec4 light) { return vec4(encoded(light.rgb), light.a); }
+
+vec4 transparentColor() {
+#if (TEXTURED & 32) != 0
+    return slotColors[TRANSPARENT] * PICTURE(TRANSPARENT);
+#else
+    return slotColors[TRANSPARENT];
+#endif
+}
+
+// COLLADA 1.4.1, "Determining transparency (opacity)"; opacity() in src/model/Material.cpp.
+float opacity() {
+    if (opaqueMode < 0) return 1.0;
+    vec4 color = transparentColor();
+    float luminance = dot(color.rgb, vec3(0.212671, 0.715160, 0.072169));
+    float amount = (opaqueMode == 0 || opaqueMode == 2 ? color.a : luminance) * transparency;
+    return clamp(opaqueMode == 0 || opaqueMode == 3 ? amount : 1.0 - amount, 0.0, 1.0);
+}
+
+vec3 towardsEye() { return normalize(eye.w > 0.5 ? eye.xyz - modelPosition : eye.xyz); }
+
+// Which way the face looks, judged by the triangle itself: 1 when its normals point to our side, -1 when we see its
+// back. This holds whatever mirrors the model or winds its triangles the wrong way.
+float seenSide(vec3 normal, vec3 view) {
+    vec3 face = cross(dFdx(modelPosition), dFdy(modelPosition));
+    float facing = dot(face, normal) * dot(face, view);
+    return facing < 0.0 ? -1.0 : 1.0;
+}
+
+#ifdef BUMP
+uniform sampler2D bumpTexture;
+uniform bool bumped;
+vec3 bumpedNormal(vec3 normal) {
+    vec3 tangent = modelTangent.xyz - normal * dot(normal, modelTangent.xyz);
+    if (!bumped || dot(tangent, tangent) < 1e-12) return normal;
+    tangent = normalize(tangent);
+    vec3 bitangent = cross(normal, tangent) * modelTangent.w;
+    vec3 n = texture(bumpTexture, COORDS(BUMPMAP)).xyz * 2.0 - 1.0;
+    return normalize(tangent * n.x + bitangent * n.y + normal * n.z);
+}
+#endif
+
+// The unit normal on our side; lines have none and are lit as if they faced us.
+vec3 facingNormal(vec3 view, out float side) {
+    side = 1.0;
+    float size = length(modelNormal);
+    if (size < 1e-6) return view;
+    vec3 normal = modelNormal / size;
+    side = seenSide(normal, view);
+#ifdef BUMP
+    normal = bumpedNormal(normal);
+#endif
+    return normal * side;
+}
+
+// Throws away what another pass draws.
+void keepForPass(float alpha, float side) {
+    bool solid = alpha > 0.996;
+    if (pass.x == 1 && !solid) discard;
+    if (pass.x == 2 && (solid || alpha <= 0.0)) discard;
+    if (pass.y != 0 && float(pass.y) != side) discard;
+}
+
+// Colours leave as linear light, premultiplied with their alpha.
+void give(vec3 light, float alpha) {
+    vec3 color = encodesItself ? encoded(light) : clamp(light, 0.0, 1.0);
+    out_color = vec4(color * alpha, alpha);
+}
