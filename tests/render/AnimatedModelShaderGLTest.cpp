@@ -1,7 +1,6 @@
-#include "render/AnimatedModelShader.h"
-
 #include <algorithm>
 
+#include "render/AnimatedModelShader.h"
 #include "render/GlTest.h"
 #include "render/TestModels.h"
 #include "render/VertexCapture.h"
@@ -34,20 +33,28 @@ class AnimatedModelShaderGLTest : public GlTest {};
 
 TEST_F(AnimatedModelShaderGLTest, rigidMeshStandsAtItsNode) {
     const glm::mat4 transform = glm::translate(glm::mat4(1.0f), {3.0f, -2.0f, 1.0f});
-    expectGpuEqualsCpu(rigid(ball(), glm::scale(glm::rotate(transform, 0.7f, {1, 1, 0}), {1.0f, 2.0f, 0.3f})));
+    expectGpuEqualsCpu(
+        rigid(ball(), glm::scale(glm::rotate(transform, 0.7f, {1, 1, 0}), {1.0f, 2.0f, 0.3f})));
 }
 
-TEST_F(AnimatedModelShaderGLTest, fourInfluencesAreSummed) { expectGpuEqualsCpu(skinned(9, 4)); }
+TEST_F(AnimatedModelShaderGLTest, fourInfluencesAreSummed) {
+    expectGpuEqualsCpu(skinned(9, 4));
+}
 
-TEST_F(AnimatedModelShaderGLTest, sevenInfluencesAreSummedNoneDropped) { expectGpuEqualsCpu(skinned(9, 7)); }
+TEST_F(AnimatedModelShaderGLTest, sevenInfluencesAreSummedNoneDropped) {
+    expectGpuEqualsCpu(skinned(9, 7));
+}
 
-TEST_F(AnimatedModelShaderGLTest, threeHundredJointsFitThePalette) { expectGpuEqualsCpu(skinned(300, 5)); }
+TEST_F(AnimatedModelShaderGLTest, threeHundredJointsFitThePalette) {
+    expectGpuEqualsCpu(skinned(300, 5));
+}
 
 TEST_F(AnimatedModelShaderGLTest, unweightedPositionsFollowTheSkinsNode) {
     Model model = skinned(4, 1);
     model.skeleton.joints[0].localBindTransform = glm::translate(glm::mat4(1.0f), {5.0f, 0.0f, 0.0f});
     const auto own = static_cast<std::uint32_t>(model.skins[0].joints.size() - 1);
-    for (std::size_t i = 0; i < model.influences[0].influences.size(); i += 2) model.influences[0].influences[i] = {own, 1.0f};
+    for (std::size_t i = 0; i < model.influences[0].influences.size(); i += 2)
+        model.influences[0].influences[i] = {own, 1.0f};
     expectGpuEqualsCpu(model);
 }
 

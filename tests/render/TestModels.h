@@ -37,7 +37,8 @@ inline MeshData ball(int rings = 12, int segments = 16) {
     for (int r = 0; r <= rings; ++r) {
         for (int s = 0; s <= segments; ++s) {
             const double polar = pi * r / rings, around = 2.0 * pi * s / segments;
-            const glm::vec3 p(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
+            const glm::vec3 p(std::sin(polar) * std::sin(around), std::cos(polar),
+                              std::sin(polar) * std::cos(around));
             mesh.positions.push_back(p);
             mesh.normals.push_back(p);
             mesh.vertexPositions.push_back(static_cast<std::uint32_t>(mesh.positions.size() - 1));
@@ -100,7 +101,8 @@ inline Model skinned(int joints, int influencesPerPosition) {
     Skin skin;
     for (int j = 0; j < joints; ++j) {
         const float t = static_cast<float>(j) / static_cast<float>(joints);
-        glm::mat4 transform = glm::translate(glm::mat4(1.0f), glm::vec3(std::sin(7.0f * t), t, std::cos(3.0f * t)) * 0.6f);
+        glm::mat4 transform =
+            glm::translate(glm::mat4(1.0f), glm::vec3(std::sin(7.0f * t), t, std::cos(3.0f * t)) * 0.6f);
         transform = glm::rotate(transform, 2.0f * t - 0.7f, glm::normalize(glm::vec3(1.0f, 0.5f + t, -t)));
         transform = glm::scale(transform, glm::vec3(0.7f + 0.5f * t, 1.0f, 1.3f - 0.6f * t));
         model.skeleton.joints.push_back(node(transform, 0));
@@ -138,7 +140,8 @@ inline void addMorph(Model& model, MorphMethod method, const std::vector<float>&
     for (std::size_t t = 0; t < weights.size(); ++t) {
         MorphTarget target;
         const auto k = static_cast<float>(t + 1);
-        for (const glm::vec3& p : mesh.positions) target.positionDeltas.push_back(p * glm::vec3(0.3f * k, 0.0f, p.y * 0.2f));
+        for (const glm::vec3& p : mesh.positions)
+            target.positionDeltas.push_back(p * glm::vec3(0.3f * k, 0.0f, p.y * 0.2f));
         for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
             target.normalDeltas.push_back(mesh.normals[v] * glm::vec3(-0.2f * k, 0.1f, 0.0f));
         }
@@ -148,7 +151,8 @@ inline void addMorph(Model& model, MorphMethod method, const std::vector<float>&
                                     .component = static_cast<int>(t),
                                     .restValue = weights[t]});
     }
-    const Deformer deformer{.kind = Deformer::Kind::Morph, .index = static_cast<int>(model.morphs.size()), .influences = 0};
+    const Deformer deformer{
+        .kind = Deformer::Kind::Morph, .index = static_cast<int>(model.morphs.size()), .influences = 0};
     auto& deformers = model.instances[0].deformers;
     std::size_t at = 0;
     while (at < deformers.size() && deformers[at].kind == Deformer::Kind::Morph) ++at;
