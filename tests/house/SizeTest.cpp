@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -16,16 +16,6 @@ namespace {
 
 constexpr int kLongestFunction = 45;  // lines: what fits in one look
 constexpr std::size_t kLongestLoader = 300;
-
-std::string outputOf(const std::string& command) {
-    std::string output;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (!pipe) return output;
-    char buffer[4096];
-    for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) output.append(buffer, n);
-    pclose(pipe);
-    return output;
-}
 
 int numberAfter(const std::string& line, const std::string& label) {
     const std::size_t at = line.find(label);

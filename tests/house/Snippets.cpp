@@ -84,7 +84,7 @@ std::string withoutIndent(const std::string& text) {
 }  // namespace
 
 std::vector<Fence> quotingFences(const std::string& page) {
-    static const std::regex opening(R"(^```\w+ (\S*/\S+\.\w+|\S+\.txt) (\S.*)$)");
+    static const std::regex opening(R"(^```\w+ (\S*/\S+\.\w+|walkcycle) (\S.*)$)");
     std::vector<Fence> fences;
     const auto lines = splitLines(page);
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -124,6 +124,12 @@ std::string findDefinition(const std::string& source, const std::string& definit
     throw std::runtime_error("no definition of " + definition);
 }
 
+std::string quoted(const Fence& fence) {
+    if (fence.file != "walkcycle") return findDefinition(readText(root() / fence.file), fence.definition);
+    const std::string program = WALKCYCLE_PROGRAM;
+    return program.empty() ? fence.text : outputOf("'" + program + "' " + fence.definition);
+}
+
 std::string withFreshQuotes(const std::string& page) {
     const auto lines = splitLines(page);
     std::string fresh;
@@ -133,7 +139,7 @@ std::string withFreshQuotes(const std::string& page) {
     };
     for (const Fence& fence : quotingFences(page)) {
         copyUpTo(fence.firstLine);
-        fresh += findDefinition(readText(root() / fence.file), fence.definition);
+        fresh += quoted(fence);
         next = fence.endLine;
     }
     copyUpTo(lines.size());

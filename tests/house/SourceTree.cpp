@@ -1,6 +1,7 @@
 #include "SourceTree.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -45,6 +46,16 @@ std::vector<std::string> filesBelow(const std::string& folder, const std::vector
     }
     std::ranges::sort(files);
     return files;
+}
+
+std::string outputOf(const std::string& command) {
+    std::string output;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return output;
+    char buffer[4096];
+    for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) output.append(buffer, n);
+    pclose(pipe);
+    return output;
 }
 
 bool updatesDocs() {
