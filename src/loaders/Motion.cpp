@@ -1,0 +1,105 @@
+#include "loaders/Motion.h"
+
+#include <algorithm>
+
+namespace walkcycle {
+
+namespace {
+
+// Whether a binding has taken over from its rivals at a time.
+template <typename Binding>
+bool rules(const Binding& binding, double seconds, Side side) {
+    return side == Side::Right ? seconds >= binding.from : seconds > binding.from;
+}
+
+template <typename Binding>
+std::vector<double> knotsOf(const std::vector<Binding>& bindings, double from, double to, std::size_t limit) {
+    std::vector<double> all{from, to};
+    for (const Binding& binding : bindings)
+        binding.curve->knots(from, to, limit - std::min(limit, all.size()), all);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+template <typename Binding>
+bool allHold(const std::vector<Binding>& bindings, double from, double to) {
+    return std::all_of(bindings.begin(), bindings.end(),
+                       [&](const Binding& b) { return b.curve->holds(from, to); });
+}
+
+}  // namespace
+
+glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
+    glm::dmat4 product = outer;
+    std::array<double, 16> moved;
+    std::array<double, 16> numbers;
+    for (std::size_t e = 0; e < stack.size(); ++e) {
+        const double* values = stack[e].values.data();
+        for (const CurveBinding& b : bindings) {
+            if (b.element != e || !rules(b, seconds, side)) continue;
+            if (values != moved.data()) moved = stack[e].values;
+            values = moved.data();
+            b.curve->evaluate(seconds, side, numbers);
+            std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(b.component), b.count,
+                        moved.begin() + static_cast<std::ptrdiff_t>(b.first));
+        }
+        product = product * matrixOf(stack[e].kind, values);
+    }
+    return product;
+}
+
+std::vector<double> JointMotion::knots(double from, double to, std::size_t limit) const {
+    return knotsOf(bindings, from, to, limit);
+}
+
+bool JointMotion::holds(double from, double to) const {
+    return allHold(bindings, from, to);
+}
+
+double JointMotion::degreesTurned(double from, double to) const {
+    double degrees = 0.0;
+    for (const CurveBinding& b : bindings)
+        if (stack[b.element].kind == TransformElement::Kind::Rotate && b.first + b.count == 4)
+            degrees += b.curve->travel(from, to, b.component + b.count - 1);
+    return degrees;
+}
+
+double ParameterMotion::value(double seconds, Side side) const {
+    double result = restValue;
+    std::vector<double> numbers;
+    for (const Binding& b : bindings) {
+        if (!rules(b, seconds, side)) continue;
+        numbers.resize(b.curve->width);
+        b.curve->evaluate(seconds, side, numbers);
+        result = numbers[b.component];
+    }
+    return result;
+}
+
+std::vector<double> ParameterMotion::knots(double from, double to, std::size_t limit) const {
+    return knotsOf(bindings, from, to, limit);
+}
+
+bool ParameterMotion::holds(double from, double to) const {
+    return allHold(bindings, from, to);
+}
+
+Motion::Motion(std::vector<Curve> curves, const SceneGraph& scene) : curves_(std::move(curves)) {
+    for (std::size_t i = 0; i < scene.stacks.size(); ++i)
+        restTransforms_.push_back(scene.outer[i] * scene.stacks[i].toMatrix());
+}
+
+void Motion::evaluate(double seconds, std::span<glm::dmat4> localTransforms, std::span<double> values) const {
+    std::copy_n(restTransforms_.begin(), std::min(restTransforms_.size(), localTransforms.size()),
+                localTransforms.begin());
+    std::copy_n(restParameters.begin(), std::min(restParameters.size(), values.size()), values.begin());
+    for (const JointMotion& motion : joints)
+        if (static_cast<std::size_t>(motion.joint) < localTransforms.size())
+            localTransforms[static_cast<std::size_t>(motion.joint)] = motion.localTransform(seconds);
+    for (const ParameterMotion& motion : parameters)
+        if (static_cast<std::size_t>(motion.parameter) < values.size())
+            values[static_cast<std::size_t>(motion.parameter)] = motion.value(seconds);
+}
+
+}  // namespace walkcycle

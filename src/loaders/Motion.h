@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "loaders/Curve.h"
+#include "loaders/SceneGraph.h"
+#include "model/ExactMotion.h"
+
+namespace walkcycle {
+
+// One channel at one place: numbers of a curve that replace numbers of a transform element.
+struct CurveBinding {
+    const Curve* curve = nullptr;
+    std::size_t component = 0;  // the curve's first number that is used
+    std::size_t element = 0;    // of JointMotion::stack
+    std::size_t first = 0;      // of the element's numbers
+    std::size_t count = 1;
+    int channel = 0;  // in document order
+    // Where several channels move the same numbers one after the other, each rules from its first key on.
+    double from = -std::numeric_limits<double>::infinity();
+};
+
+// A joint that moves: its transform stack, and the curves bound to its numbers.
+struct JointMotion {
+    struct Element {
+        TransformElement::Kind kind = TransformElement::Kind::Matrix;
+        std::array<double, 16> values{};
+    };
+    int joint = 0;
+    glm::dmat4 outer{1.0};
+    std::vector<Element> stack;
+    std::vector<CurveBinding> bindings;
+
+    glm::dmat4 localTransform(double seconds, Side side = Side::Right) const;
+    // All times within [from, to] at which the motion may change its course, in order, `from` and `to` included.
+    std::vector<double> knots(double from, double to, std::size_t limit) const;
+    // True if nothing moves strictly between two neighbouring knots.
+    bool holds(double from, double to) const;
+    // No less than the degrees that the joint turns between two neighbouring knots.
+    double degreesTurned(double from, double to) const;
+};
+
+// A parameter that moves.
+struct ParameterMotion {
+    struct Binding {
+        const Curve* curve = nullptr;
+        std::size_t component = 0;
+        int channel = 0;
+        double from = -std::numeric_limits<double>::infinity();
+    };
+    int parameter = 0;
+    double restValue = 0.0;
+    std::vector<Binding> bindings;
+
+    double value(double seconds, Side side = Side::Right) const;
+    std::vector<double> knots(double from, double to, std::size_t limit) const;
+    bool holds(double from, double to) const;
+};
+
+// All curves of a document at work: what pose --exact prints, and what keyframes are made from.
+class Motion : public ExactMotion {
+public:
+    Motion(std::vector<Curve> curves, const SceneGraph& scene);
+
+    void evaluate(double seconds, std::span<glm::dmat4> localTransforms,
+                  std::span<double> parameters) const override;
+
+    const std::vector<Curve>& curves() const { return curves_; }
+    std::vector<JointMotion> joints;  // those that move
+    std::vector<ParameterMotion> parameters;
+    std::vector<double> restParameters;
+
+private:
+    std::vector<Curve> curves_;
+    std::vector<glm::dmat4> restTransforms_;
+};
+
+}  // namespace walkcycle
