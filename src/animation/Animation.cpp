@@ -41,8 +41,31 @@ auto sampleKeys(const std::vector<Key>& keys, double seconds) {
 
 }  // namespace
 
+JointTransform interpolateCurved(const JointTransform& a, const KeyTangents::Rates& leaving, const JointTransform& b,
+                                 const KeyTangents::Rates& arriving, float seconds, float progression) {
+    const float s = progression, s2 = s * s, s3 = s2 * s;
+    const float fromB = 3.0f * s2 - 2.0f * s3, fromA = 1.0f - fromB;
+    const float fromLeaving = (s3 - 2.0f * s2 + s) * seconds, fromArriving = (s3 - s2) * seconds;
+    const auto cubic = [&](const auto& start, const auto& out, const auto& end, const auto& in) {
+        return start * fromA + out * fromLeaving + end * fromB + in * fromArriving;
+    };
+    return {cubic(a.position, leaving.position, b.position, arriving.position),
+            glm::normalize(cubic(a.rotation, leaving.rotation, b.rotation, arriving.rotation)),
+            cubic(a.scale, leaving.scale, b.scale, arriving.scale)};
+}
+
 JointTransform sample(const Channel& channel, double seconds) {
-    return sampleKeys(channel.keyFrames, seconds);
+    const std::vector<KeyFrame>& keys = channel.keyFrames;
+    if (channel.tangents.empty()) return sampleKeys(keys, seconds);
+    const auto isBefore = [](double time, const KeyFrame& key) { return time < key.seconds; };
+    const auto next = std::upper_bound(keys.begin(), keys.end(), seconds, isBefore);
+    if (next == keys.begin()) return next->transform;
+    if (next == keys.end() || (next - 1)->step) return (next - 1)->transform;
+    const auto i = static_cast<std::size_t>(next - keys.begin());
+    const double length = keys[i].seconds - keys[i - 1].seconds;
+    return interpolateCurved(keys[i - 1].transform, channel.tangents[i - 1].out, keys[i].transform,
+                             channel.tangents[i].in, static_cast<float>(length),
+                             static_cast<float>((seconds - keys[i - 1].seconds) / length));
 }
 
 glm::mat4 sampleMatrix(const Channel& channel, double seconds) {

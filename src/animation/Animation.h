@@ -9,12 +9,25 @@
 
 namespace walkcycle {
 
+// How the curve of a key's numbers comes and goes: change per second on either side of it.
+struct KeyTangents {
+    struct Rates {
+        glm::vec3 position{0.0f};
+        glm::quat rotation{0.0f, 0.0f, 0.0f, 0.0f};
+        glm::vec3 scale{0.0f};
+    };
+    Rates in, out;
+};
+
 // The motion of one joint: keys in rising time. Two keys at one time are a jump (the first is its left side).
 // Exactly one of the two lists is in use.
 struct Channel {
     int joint = 0;  // index into Skeleton::joints
     std::vector<KeyFrame> keyFrames{};
     std::vector<MatrixKeyFrame> matrixKeyFrames{};
+    // One per entry of keyFrames, or none. With them each number runs on a cubic curve from key to key (glTF's
+    // CUBICSPLINE), which smooth motion needs far fewer keys for; without, on straight lines and slerps.
+    std::vector<KeyTangents> tangents{};
 };
 
 // The motion of one number of the model that is not a joint's transform.
@@ -35,6 +48,10 @@ struct Animation {
 
     double lengthInSeconds() const { return endSeconds - startSeconds; }
 };
+
+// The transform at `progression` (0 to 1) of the way between two keys that are `seconds` apart.
+JointTransform interpolateCurved(const JointTransform& a, const KeyTangents::Rates& leaving, const JointTransform& b,
+                                 const KeyTangents::Rates& arriving, float seconds, float progression);
 
 // The channel's transform at a time of the document's timeline. Before the first key the first one holds,
 // after the last the last one. The channel must have keys of that kind.

@@ -125,6 +125,13 @@ double Curve::slope(bool atEnd, std::size_t component) const {
     return b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0.0;
 }
 
+bool Curve::mayJump() const {
+    const auto goesOn = [](Infinity i) { return i == Infinity::Constant || i == Infinity::Linear; };
+    const auto isStep = [](const Segment& segment) { return segment.kind == Kind::Step; };
+    return !goesOn(before) || !goesOn(after) || std::any_of(segments.begin(), segments.end(), isStep) ||
+           std::adjacent_find(times.begin(), times.end()) != times.end();
+}
+
 bool Curve::holds(double from, double to) const {
     const double middle = 0.5 * (from + to);
     const Infinity infinity = middle < start() ? before : after;

@@ -38,6 +38,9 @@ public:
     double start() const { return times.front(); }
     double end() const { return times.back(); }
 
+    // False if it certainly has no jumps.
+    bool mayJump() const;
+
     // Writes `width` values. There must be a key.
     void evaluate(double seconds, Side side, std::span<double> out) const;
 

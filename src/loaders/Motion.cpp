@@ -28,7 +28,47 @@ bool allHold(const std::vector<Binding>& bindings, double from, double to) {
                        [&](const Binding& b) { return b.curve->holds(from, to); });
 }
 
+template <typename Binding>
+bool anyJumps(const std::vector<Binding>& bindings) {
+    return std::any_of(bindings.begin(), bindings.end(),
+                       [](const Binding& b) { return b.from > -1e300 || b.curve->mayJump(); });
+}
+
+bool overlapping(const CurveBinding& a, const CurveBinding& b) {
+    return overlap(a, b);
+}
+bool overlapping(const ParameterMotion::Binding&, const ParameterMotion::Binding&) {
+    return true;
+}
+
+// Where channels move the same numbers, each takes over at its first key; of those that begin together, the last
+// one counts.
+template <typename Binding>
+void settle(std::vector<Binding>& bindings) {
+    constexpr std::size_t kMost = 1000;  // no honest file has so many rivals; the rest stays in file order
+    for (Binding& binding : bindings) binding.from = -std::numeric_limits<double>::infinity();
+    if (bindings.size() > kMost) return;
+    std::stable_sort(bindings.begin(), bindings.end(),
+                     [](const Binding& a, const Binding& b) { return a.curve->start() < b.curve->start(); });
+    for (std::size_t i = 1; i < bindings.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (overlapping(bindings[i], bindings[k]) &&
+                bindings[i].curve->start() > bindings[k].curve->start())
+                bindings[i].from = bindings[i].curve->start();
+}
+
 }  // namespace
+
+bool overlap(const CurveBinding& a, const CurveBinding& b) {
+    return a.element == b.element && a.first < b.first + b.count && b.first < a.first + a.count;
+}
+
+void JointMotion::settleRivals() {
+    settle(bindings);
+}
+void ParameterMotion::settleRivals() {
+    settle(bindings);
+}
 
 glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
     glm::dmat4 product = outer;
@@ -55,6 +95,18 @@ std::vector<double> JointMotion::knots(double from, double to, std::size_t limit
 
 bool JointMotion::holds(double from, double to) const {
     return allHold(bindings, from, to);
+}
+
+bool JointMotion::mayJump() const {
+    return anyJumps(bindings);
+}
+
+bool JointMotion::isStraight() const {
+    if (stack.size() != 1 || bindings.size() != 1 || outer != glm::dmat4(1.0)) return false;
+    const Curve& curve = *bindings[0].curve;
+    const auto isBezier = [](const Curve::Segment& segment) { return segment.kind == Curve::Kind::Bezier; };
+    return bindings[0].count == 16 && curve.before != Infinity::Linear && curve.after != Infinity::Linear &&
+           std::none_of(curve.segments.begin(), curve.segments.end(), isBezier);
 }
 
 double JointMotion::degreesTurned(double from, double to) const {
@@ -85,9 +137,46 @@ bool ParameterMotion::holds(double from, double to) const {
     return allHold(bindings, from, to);
 }
 
-Motion::Motion(std::vector<Curve> curves, const SceneGraph& scene) : curves_(std::move(curves)) {
+bool ParameterMotion::mayJump() const {
+    return anyJumps(bindings);
+}
+
+Motion::Motion(std::vector<Curve> curves, const SceneGraph& scene)
+    : curves_(std::make_shared<const std::vector<Curve>>(std::move(curves))) {
     for (std::size_t i = 0; i < scene.stacks.size(); ++i)
         restTransforms_.push_back(scene.outer[i] * scene.stacks[i].toMatrix());
+}
+
+Motion Motion::restricted(const std::function<bool(int)>& plays) const {
+    Motion part = *this;
+    const auto keep = [&](auto& motions) {
+        for (auto& motion : motions) {
+            std::erase_if(motion.bindings, [&](const auto& binding) { return !plays(binding.channel); });
+            motion.settleRivals();
+        }
+        std::erase_if(motions, [](const auto& motion) { return motion.bindings.empty(); });
+    };
+    keep(part.joints);
+    keep(part.parameters);
+    return part;
+}
+
+double Motion::start() const {
+    double earliest = std::numeric_limits<double>::infinity();
+    for (const JointMotion& motion : joints)
+        for (const CurveBinding& b : motion.bindings) earliest = std::min(earliest, b.curve->start());
+    for (const ParameterMotion& motion : parameters)
+        for (const auto& b : motion.bindings) earliest = std::min(earliest, b.curve->start());
+    return earliest;
+}
+
+double Motion::end() const {
+    double latest = -std::numeric_limits<double>::infinity();
+    for (const JointMotion& motion : joints)
+        for (const CurveBinding& b : motion.bindings) latest = std::max(latest, b.curve->end());
+    for (const ParameterMotion& motion : parameters)
+        for (const auto& b : motion.bindings) latest = std::max(latest, b.curve->end());
+    return latest;
 }
 
 void Motion::evaluate(double seconds, std::span<glm::dmat4> localTransforms, std::span<double> values) const {

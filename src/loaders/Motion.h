@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -42,6 +43,12 @@ struct JointMotion {
     std::vector<double> knots(double from, double to, std::size_t limit) const;
     // True if nothing moves strictly between two neighbouring knots.
     bool holds(double from, double to) const;
+    // False if it certainly has no jumps.
+    bool mayJump() const;
+    // True if keyframes go just as it does between its knots: a whole <matrix> with LINEAR keys, and nothing else.
+    bool isStraight() const;
+    // Says which of several bindings to the same numbers rules when (see CurveBinding::from).
+    void settleRivals();
     // No less than the degrees that the joint turns between two neighbouring knots.
     double degreesTurned(double from, double to) const;
 };
@@ -61,7 +68,12 @@ struct ParameterMotion {
     double value(double seconds, Side side = Side::Right) const;
     std::vector<double> knots(double from, double to, std::size_t limit) const;
     bool holds(double from, double to) const;
+    bool mayJump() const;
+    void settleRivals();
 };
+
+// Whether two channels move the same numbers of a joint's stack.
+bool overlap(const CurveBinding& a, const CurveBinding& b);
 
 // All curves of a document at work: what pose --exact prints, and what keyframes are made from.
 class Motion : public ExactMotion {
@@ -71,13 +83,18 @@ public:
     void evaluate(double seconds, std::span<glm::dmat4> localTransforms,
                   std::span<double> parameters) const override;
 
-    const std::vector<Curve>& curves() const { return curves_; }
+    // The same with only those channels at work that `plays` says yes to; the curves are shared.
+    Motion restricted(const std::function<bool(int)>& plays) const;
+
+    const std::vector<Curve>& curves() const { return *curves_; }
+    double start() const;  // first key time of all that moves
+    double end() const;
     std::vector<JointMotion> joints;  // those that move
     std::vector<ParameterMotion> parameters;
     std::vector<double> restParameters;
 
 private:
-    std::vector<Curve> curves_;
+    std::shared_ptr<const std::vector<Curve>> curves_;
     std::vector<glm::dmat4> restTransforms_;
 };
 

@@ -30,25 +30,6 @@ std::optional<Part> partOf(const ChannelTarget& target, std::size_t width, bool 
     return Part{first, 1};
 }
 
-bool overlap(const CurveBinding& a, const CurveBinding& b) {
-    return a.element == b.element && a.first < b.first + b.count && b.first < a.first + a.count;
-}
-
-bool overlap(const ParameterMotion::Binding&, const ParameterMotion::Binding&) {
-    return true;
-}
-
-// Where channels move the same numbers, each takes over at its first key; of those that begin together, the last.
-template <typename Binding>
-void orderRivals(std::vector<Binding>& bindings) {
-    std::stable_sort(bindings.begin(), bindings.end(),
-                     [](const Binding& a, const Binding& b) { return a.curve->start() < b.curve->start(); });
-    for (std::size_t i = 1; i < bindings.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (overlap(bindings[i], bindings[k]) && bindings[i].curve->start() > bindings[k].curve->start())
-                bindings[i].from = bindings[i].curve->start();
-}
-
 }  // namespace
 
 MotionBuilder::MotionBuilder(const SceneGraph& scene, const AnimationTargets& targets,
@@ -155,7 +136,7 @@ void MotionBuilder::addJoints(Motion& motion, const std::function<bool(int, int)
         motion.joints.back().bindings.back().curve = &motion.curves()[static_cast<std::size_t>(next.curve)];
     }
     for (JointMotion& joint : motion.joints) {
-        orderRivals(joint.bindings);
+        joint.settleRivals();
         reportRivals(joint, together);
     }
 }
@@ -188,7 +169,7 @@ void MotionBuilder::addParameters(Motion& motion) {
         motion.parameters.back().bindings.back().curve =
             &motion.curves()[static_cast<std::size_t>(next.curve)];
     }
-    for (ParameterMotion& parameter : motion.parameters) orderRivals(parameter.bindings);
+    for (ParameterMotion& parameter : motion.parameters) parameter.settleRivals();
 }
 
 }  // namespace walkcycle

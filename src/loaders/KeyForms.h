@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+
+#include <glm/mat4x4.hpp>
+
+#include "loaders/MatrixParts.h"
+
+namespace walkcycle {
+
+// How far off a joint's local transform may be, and where that shows.
+struct Tolerance {
+    double budget = 0.0;  // model-space distance
+    double unit = 1.0;    // model-space length of one unit of the joint's parent
+    double reach = 1.0;   // how far from the joint, in its own units, the farthest point hangs that it moves
+};
+
+// The forms that the run-time has for the way between two keys. Each is made `through` a piece of the exact motion,
+// says where it is `at` a progression from 0 to 1, and how far that is from the exact value.
+
+// Positions and scales on straight lines, rotations the short way round at constant speed.
+struct StraightTransform {
+    using Value = MatrixParts;
+    MatrixParts a, b;
+
+    template <typename Exact>
+    static StraightTransform through(const Exact&, double, double, const MatrixParts& a,
+                                     const MatrixParts& b) {
+        return {a, b};
+    }
+    const MatrixParts& end() const { return b; }
+    MatrixParts at(double progression) const;
+};
+
+// Each number of position, rotation and scale on a cubic curve, the rotation brought back to unit length.
+struct CurvedTransform {
+    using Value = MatrixParts;
+    using Numbers = std::array<double, 10>;  // position, rotation (x y z w), scale
+    MatrixParts a, b;
+    Numbers leaving{}, arriving{};  // tangents at the ends, per whole of the progression
+
+    template <typename Exact>
+    static CurvedTransform through(const Exact& exact, double from, double to, const MatrixParts& a,
+                                   const MatrixParts& b) {
+        const double third = (to - from) / 3.0;
+        return throughFour(a, exact(from + third), exact(to - third), b);
+    }
+    static CurvedTransform throughFour(const MatrixParts& a, const MatrixParts& third,
+                                       const MatrixParts& twoThirds, const MatrixParts& b);
+    const MatrixParts& end() const { return b; }
+    MatrixParts at(double progression) const;
+};
+
+// For what no joint transform can hold: number by number.
+struct StraightMatrix {
+    using Value = glm::dmat4;
+    glm::dmat4 a{1.0}, b{1.0};
+
+    template <typename Exact>
+    static StraightMatrix through(const Exact&, double, double, const glm::dmat4& a, const glm::dmat4& b) {
+        return {a, b};
+    }
+    const glm::dmat4& end() const { return b; }
+    glm::dmat4 at(double progression) const { return a * (1.0 - progression) + b * progression; }
+};
+
+struct StraightNumber {
+    using Value = double;
+    double a = 0.0, b = 0.0;
+
+    template <typename Exact>
+    static StraightNumber through(const Exact&, double, double, double a, double b) {
+        return {a, b};
+    }
+    double end() const { return b; }
+    double at(double progression) const { return a + (b - a) * progression; }
+};
+
+// Model-space distance, never underestimated, between where two transforms put the farthest point. Shear of the exact
+// one counts, as no key can hold it.
+double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance);
+double distance(const glm::dmat4& exact, const glm::dmat4& keyed, const Tolerance& tolerance);
+double distance(double exact, double keyed, const Tolerance& tolerance);
+
+}  // namespace walkcycle

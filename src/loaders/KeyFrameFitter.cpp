@@ -1,0 +1,175 @@
+#include "loaders/KeyFrameFitter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "loaders/RunFitter.h"
+
+namespace walkcycle {
+
+namespace {
+
+// A stretch of the timeline without jumps inside. One that ends in a jump and does not move is a step.
+struct Run {
+    std::vector<double> knots;
+    bool isStep = false;
+};
+
+// Splits the time between `from` and `to` where the motion jumps. The last run may be of `to` alone: a jump there.
+template <typename MotionOfOne, typename Jumps>
+std::vector<Run> runsOf(const MotionOfOne& motion, const std::vector<double>& knots, const Jumps& jumps) {
+    std::vector<Run> runs(1);
+    const bool mayJump = motion.mayJump();
+    bool isStill = true;
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        runs.back().knots.push_back(knots[i]);
+        if (!mayJump || i == 0) continue;
+        isStill = isStill && motion.holds(knots[i - 1], knots[i]);
+        if (!jumps(knots[i])) continue;
+        runs.back().isStep = isStill;
+        runs.push_back({{knots[i]}, false});
+        isStill = true;
+    }
+    return runs;
+}
+
+// A turn of more than half a circle looks like a short one from its ends, so long turns are cut up beforehand.
+std::vector<double> withTurnsCut(const JointMotion& motion, const std::vector<double>& knots,
+                                 std::size_t limit) {
+    constexpr double kMostDegrees = 60.0;
+    std::vector<double> cut{knots.front()};
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        const double wanted = std::ceil(motion.degreesTurned(knots[i - 1], knots[i]) / kMostDegrees);
+        const double room = static_cast<double>(limit - std::min(limit, cut.size()));
+        const int parts = static_cast<int>(std::clamp(wanted, 1.0, std::clamp(room, 1.0, 1e6)));
+        for (int p = 1; p < parts; ++p) cut.push_back(knots[i - 1] + (knots[i] - knots[i - 1]) * p / parts);
+        cut.push_back(knots[i]);
+    }
+    return cut;
+}
+
+// The exact motion of one joint as transforms; notices what they cannot hold.
+class TransformOf {
+public:
+    TransformOf(const JointMotion& motion, const Tolerance& tolerance)
+        : motion_(motion), tolerance_(tolerance) {}
+
+    MatrixParts at(double seconds, Side side) {
+        MatrixParts parts = partsOf(motion_.localTransform(seconds, side), near_);
+        near_ = parts.rotation;
+        MatrixParts unsheared = parts;
+        const glm::dvec3 scale = parts.scale();
+        unsheared.stretch = glm::dmat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z);
+        const bool isMirrored = scale.x < 0.0;
+        if (first_) wasMirrored_ = isMirrored;
+        first_ = false;
+        if (!parts.turns || isMirrored != wasMirrored_ ||
+            distance(parts, unsheared, tolerance_) > 0.5 * tolerance_.budget)
+            fits_ = false;
+        return parts;
+    }
+    bool fits() const { return fits_; }
+
+private:
+    const JointMotion& motion_;
+    const Tolerance& tolerance_;
+    glm::dquat near_{1.0, 0.0, 0.0, 0.0};
+    bool first_ = true, wasMirrored_ = false, fits_ = true;
+};
+
+JointTransform toJointTransform(const MatrixParts& parts) {
+    return {glm::vec3(parts.position), glm::quat(parts.rotation), glm::vec3(parts.scale())};
+}
+
+KeyTangents::Rates toRates(const CurvedTransform::Numbers& n, double seconds) {
+    const auto rate = [&](std::size_t i) { return static_cast<float>(n[i] / seconds); };
+    return {{rate(0), rate(1), rate(2)}, {rate(6), rate(3), rate(4), rate(5)}, {rate(7), rate(8), rate(9)}};
+}
+
+void append(Channel& channel, const RunFitter<StraightTransform>::Keys& keys, bool isStep) {
+    for (std::size_t i = 0; i < keys.times.size(); ++i)
+        channel.keyFrames.push_back({keys.times[i], toJointTransform(keys.values[i]), isStep});
+}
+
+void append(Channel& channel, const RunFitter<CurvedTransform>::Keys& keys, bool isStep) {
+    for (std::size_t i = 0; i < keys.times.size(); ++i) {
+        channel.keyFrames.push_back({keys.times[i], toJointTransform(keys.values[i]), isStep});
+        KeyTangents& tangents = channel.tangents.emplace_back();
+        if (i > 0) tangents.in = toRates(keys.pieces[i - 1].arriving, keys.times[i] - keys.times[i - 1]);
+        if (i < keys.pieces.size())
+            tangents.out = toRates(keys.pieces[i].leaving, keys.times[i + 1] - keys.times[i]);
+    }
+}
+
+void append(Channel& channel, const RunFitter<StraightMatrix>::Keys& keys, bool isStep) {
+    for (std::size_t i = 0; i < keys.times.size(); ++i)
+        channel.matrixKeyFrames.push_back({keys.times[i], glm::mat4(keys.values[i]), isStep});
+}
+
+void append(ParameterTrack& track, const RunFitter<StraightNumber>::Keys& keys, bool isStep) {
+    for (std::size_t i = 0; i < keys.times.size(); ++i)
+        track.keyFrames.push_back({keys.times[i], static_cast<float>(keys.values[i]), isStep});
+}
+
+// Fits every run in one form. `exact(seconds, side)` gives the motion.
+template <typename Form, typename Exact, typename Target>
+void fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& tolerance, bool isStraight,
+             std::size_t limit, Target& target) {
+    for (const Run& run : runs) {
+        const double end = run.knots.back();
+        const auto within = [&](double seconds) {
+            return exact(seconds, run.knots.size() > 1 && seconds == end ? Side::Left : Side::Right);
+        };
+        const std::vector<double> first{run.knots.front()};
+        RunFitter<Form> fitter(within, tolerance, isStraight, limit);
+        append(target, fitter.fit(run.isStep ? first : run.knots), run.isStep);
+    }
+}
+
+Channel fitMatrices(const JointMotion& motion, const std::vector<Run>& runs, const Tolerance& tolerance,
+                    std::size_t limit) {
+    Channel channel{.joint = motion.joint, .keyFrames = {}, .matrixKeyFrames = {}, .tangents = {}};
+    const auto exact = [&](double seconds, Side side) { return motion.localTransform(seconds, side); };
+    fitRuns<StraightMatrix>(runs, exact, tolerance, false, limit, channel);
+    return channel;
+}
+
+}  // namespace
+
+Channel fitChannel(const JointMotion& motion, double from, double to, const Tolerance& tolerance,
+                   std::size_t limit) {
+    const std::vector<double> knots = withTurnsCut(motion, motion.knots(from, to, limit), limit);
+    const auto jumps = [&](double t) {
+        return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),
+                        tolerance) > 0.01 * tolerance.budget;
+    };
+    const std::vector<Run> runs = runsOf(motion, knots, jumps);
+    TransformOf transform(motion, tolerance);
+    const auto exact = [&](double seconds, Side side) { return transform.at(seconds, side); };
+
+    Channel straight{.joint = motion.joint, .keyFrames = {}, .matrixKeyFrames = {}, .tangents = {}};
+    const std::size_t fewEnough = std::min(limit, 4 * knots.size() + 64);
+    fitRuns<StraightTransform>(runs, exact, tolerance, motion.isStraight(), fewEnough, straight);
+    if (transform.fits() && straight.keyFrames.size() > knots.size()) {
+        Channel curved{.joint = motion.joint, .keyFrames = {}, .matrixKeyFrames = {}, .tangents = {}};
+        fitRuns<CurvedTransform>(runs, exact, tolerance, false, limit, curved);
+        const bool gaveUp = straight.keyFrames.size() >= fewEnough;
+        if (transform.fits() && (gaveUp || 2 * curved.keyFrames.size() < straight.keyFrames.size()))
+            return curved;
+    }
+    return transform.fits() ? straight : fitMatrices(motion, runs, tolerance, limit);
+}
+
+ParameterTrack fitTrack(const ParameterMotion& motion, double from, double to, const Tolerance& tolerance,
+                        std::size_t limit) {
+    const auto exact = [&](double seconds, Side side) { return motion.value(seconds, side); };
+    const auto jumps = [&](double t) {
+        return distance(exact(t, Side::Left), exact(t, Side::Right), tolerance) > 0.01 * tolerance.budget;
+    };
+    ParameterTrack track{.parameter = motion.parameter, .keyFrames = {}};
+    fitRuns<StraightNumber>(runsOf(motion, motion.knots(from, to, limit), jumps), exact, tolerance, false,
+                            limit, track);
+    return track;
+}
+
+}  // namespace walkcycle
