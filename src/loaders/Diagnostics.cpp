@@ -1,6 +1,6 @@
 #include "loaders/Diagnostics.h"
 
-#include <cstdio>
+#include <algorithm>
 
 #include "loaders/XmlNode.h"
 
@@ -18,20 +18,11 @@ constexpr CodeInfo kCatalogue[] = {
 
 // How many of one kind, about elements of one name, are kept before the rest is only counted.
 constexpr int kKeptPerKind = 3;
+// After so many, all elements count as being of one name.
+constexpr std::size_t kKeptOfAllKinds = 1000;
 constexpr std::size_t kLongestArgument = 200;
 
-// The argument as it may stand in a one-line message: no control characters, not endless.
-std::string printable(const std::string& argument) {
-    std::string text = argument.substr(0, kLongestArgument);
-    if (argument.size() > kLongestArgument) {
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-        if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();
-        text += "...";
-    }
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = ' ';
-    return text;
-}
+bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
     std::string filled;
@@ -59,13 +50,23 @@ Diagnostic make(Severity severity, Code code, Diagnostics::Arguments arguments) 
 
 }  // namespace
 
+std::string printable(std::string_view text) {
+    std::size_t length = std::min(text.size(), kLongestArgument);
+    while (length > 0 && length < text.size() && continuesCharacter(text[length])) --length;
+    std::string shown(text.substr(0, length));
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = ' ';
+    return length < text.size() ? shown + "..." : shown;
+}
+
 std::span<const CodeInfo> diagnosticCatalogue() { return kCatalogue; }
 const CodeInfo& info(Code code) { return kCatalogue[static_cast<std::size_t>(code)]; }
 
 LoadError::LoadError(std::vector<Diagnostic> all)
     : std::runtime_error(all.empty() ? "nothing could be loaded" : toString(all.back())), diagnostics(std::move(all)) {}
 
-void Diagnostics::add(Diagnostic diagnostic, const std::string& elementName) {
+void Diagnostics::add(Diagnostic diagnostic, std::string elementName) {
+    if (all_.size() >= kKeptOfAllKinds) elementName.clear();
     auto& [count, lastIndex] = seen_[{diagnostic.file, diagnostic.code, elementName}];
     if (++count > kKeptPerKind) {
         ++all_[lastIndex].repeats;
@@ -97,14 +98,22 @@ void Diagnostics::report(Code code, const std::string& file, int line, Arguments
 }
 
 void Diagnostics::fail(Code code, const XmlNode& where, Arguments arguments, int line) {
-    fail(code, where ? where.file() : std::string(), line > 0 ? line : where.line(), arguments);
+    Diagnostic diagnostic = make(Severity::Error, code, arguments);
+    diagnostic.file = where.file();
+    diagnostic.line = line > 0 ? line : where.line();
+    diagnostic.elementPath = where.path();
+    giveUp(std::move(diagnostic));
 }
 
 void Diagnostics::fail(Code code, const std::string& file, int line, Arguments arguments) {
     Diagnostic diagnostic = make(Severity::Error, code, arguments);
     diagnostic.file = file;
     diagnostic.line = line;
-    all_.push_back(std::move(diagnostic));  // never only counted: it is the reason
+    giveUp(std::move(diagnostic));
+}
+
+void Diagnostics::giveUp(Diagnostic reason) {
+    all_.push_back(std::move(reason));  // never only counted
     throw LoadError(all_);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -13,6 +14,9 @@
 namespace walkcycle {
 
 class XmlNode;
+
+// Text of the file as it may stand in a one-line message: no control characters, not endless.
+std::string printable(std::string_view text);
 
 // What is wrong, by name. The texts are in DiagnosticCodes.inc, the catalogue.
 enum class Code {
@@ -59,7 +63,9 @@ public:
     std::vector<Diagnostic> take() { return std::move(all_); }
 
 private:
-    void add(Diagnostic diagnostic, const std::string& elementName);
+    void add(Diagnostic diagnostic, std::string elementName);
+
+    [[noreturn]] void giveUp(Diagnostic reason);
 
     std::vector<Diagnostic> all_;
     std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>> seen_;  // file, code, element

@@ -34,8 +34,7 @@ int lineOfNumber(XmlNode element, std::size_t n) {
     const std::string_view text = element.rawText(joined);
     const std::vector<std::string_view> words = splitWords(text);
     if (n >= words.size()) return element.line();
-    const std::string_view before = text.substr(0, static_cast<std::size_t>(words[n].data() - text.data()));
-    return element.textLine() + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+    return element.textLine(static_cast<std::size_t>(words[n].data() - text.data()));
 }
 
 // Reads one primitive; its members are what the steps share.

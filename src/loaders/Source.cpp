@@ -10,11 +10,6 @@
 namespace walkcycle {
 namespace {
 
-int lineOf(const XmlNode& node, std::string_view text, std::size_t offset) {
-    const auto begin = text.begin();
-    return node.textLine() + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(offset), '\n'));
-}
-
 template <typename T>
 std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {
     std::vector<T> values;
@@ -24,7 +19,7 @@ std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbe
     parseNumbers(text, values, faults);
     for (const NumberFault& fault : faults) {
         const std::string token(fault.token), name(node.name());
-        const int line = lineOf(node, text, fault.offset);
+        const int line = node.textLine(fault.offset);
         if (numbers == Numbers::Error)
             diagnostics.report(Code::NumberInvalid, node, {token, name}, line);
         else

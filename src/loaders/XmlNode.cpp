@@ -1,11 +1,12 @@
 #include "loaders/XmlNode.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
 #include <vector>
 
+#include <tinyxml2.h>
+
 #include "loaders/ColladaDocument.h"
+#include "loaders/Diagnostics.h"
 #include "loaders/NumberParser.h"
 #include "loaders/NumberText.h"
 
@@ -18,11 +19,15 @@ std::string_view localName(const char* qualified) {
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
+int lineBreaks(std::string_view text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
 // "geometry[id=body]", or "node[sid=hip]", or the plain name.
 std::string step(const XmlNode& node) {
     std::string text(node.name());
-    if (!node.id().empty()) return text + "[id=" + std::string(node.id()) + "]";
-    if (!node.sid().empty()) return text + "[sid=" + std::string(node.sid()) + "]";
+    if (!node.id().empty()) return text + "[id=" + printable(node.id()) + "]";
+    if (!node.sid().empty()) return text + "[sid=" + printable(node.sid()) + "]";
     return text;
 }
 
@@ -33,9 +38,13 @@ const NumberText* cutText(const tinyxml2::XMLElement* element) {
 
 }  // namespace
 
-std::string_view XmlNode::name() const { return element_ ? localName(element_->Name()) : std::string_view(); }
+std::string_view XmlNode::name() const {
+    return element_ ? localName(element_->Name()) : std::string_view();
+}
 
-bool XmlNode::has(const char* attributeName) const { return element_ && element_->Attribute(attributeName); }
+bool XmlNode::has(const char* attributeName) const {
+    return element_ && element_->Attribute(attributeName);
+}
 
 std::string_view XmlNode::attribute(const char* attributeName) const {
     const char* value = element_ ? element_->Attribute(attributeName) : nullptr;
@@ -85,17 +94,26 @@ std::string_view XmlNode::rawText(std::string& joined) const {
             continue;
         }
         if (pieces == 2) joined = only->Value();
-        joined += text->Value();
+        joined.append(" ").append(text->Value());  // white space between two comments is lost
     }
     if (pieces == 0) return {};
     return pieces == 1 ? std::string_view(only->Value()) : std::string_view(joined);
 }
 
-int XmlNode::textLine() const {
-    if (const NumberText* cut = cutText(element_)) return line() + cut->linesInTag;
-    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling())
-        if (node->ToText()) return node->GetLineNum();
-    return line();
+// tinyxml2 says in which line a text's first character stands that is not white space.
+int XmlNode::textLine(std::size_t offset) const {
+    if (const NumberText* cut = cutText(element_))
+        return line() + cut->linesInTag + lineBreaks(cut->text.substr(0, offset));
+    int found = line();
+    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling()) {
+        if (!node->ToText()) continue;
+        const std::string_view text(node->Value());
+        const std::size_t first = node->ToText()->CData() ? 0 : text.find_first_not_of(" \t\r\n\v\f");
+        found = node->GetLineNum() - lineBreaks(text.substr(0, first)) + lineBreaks(text.substr(0, offset));
+        if (offset <= text.size()) break;
+        offset -= text.size() + 1;  // and the space that rawText puts between two texts
+    }
+    return found;
 }
 
 std::string XmlNode::text() const {
@@ -103,7 +121,9 @@ std::string XmlNode::text() const {
     return std::string(trim(rawText(joined)));
 }
 
-int XmlNode::line() const { return element_ ? element_->GetLineNum() : 0; }
+int XmlNode::line() const {
+    return element_ ? element_->GetLineNum() : 0;
+}
 
 std::string XmlNode::path() const {
     std::vector<std::string> steps;

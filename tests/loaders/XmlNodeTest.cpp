@@ -1,0 +1,57 @@
+#include "LoadText.h"
+#include "loaders/XmlNode.h"
+
+namespace walkcycle {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(XmlNodeTest, aMissingElementGivesMoreNothing) {
+    TestLoad load("<COLLADA/>");
+    const XmlNode nothing = load.collada.child("scene").child("instance_visual_scene");
+    EXPECT_FALSE(nothing);
+    EXPECT_FALSE(nothing.is(""));
+    EXPECT_FALSE(nothing.has("url"));
+    EXPECT_EQ(nothing.attribute("url"), "");
+    EXPECT_EQ(nothing.text(), "");
+    EXPECT_EQ(nothing.line(), 0);
+    EXPECT_EQ(nothing.path(), "");
+    EXPECT_EQ(nothing.file(), "");
+    EXPECT_FALSE(nothing.parent());
+    for (XmlNode child : nothing.children()) ADD_FAILURE() << child.name();
+}
+
+TEST(XmlNodeTest, childrenComeInDocumentOrderByNameOrAll) {
+    TestLoad load("<COLLADA><a n='1'/><!-- c --><b n='2'/>text<a n='3'/></COLLADA>");
+    std::vector<std::string> named, all;
+    for (XmlNode node : load.collada.children("a")) named.emplace_back(node.attribute("n"));
+    for (XmlNode node : load.collada.children()) all.emplace_back(node.attribute("n"));
+    EXPECT_THAT(named, ElementsAre("1", "3"));
+    EXPECT_THAT(all, ElementsAre("1", "2", "3"));
+}
+
+TEST(XmlNodeTest, aPrefixIsNoPartOfTheName) {
+    TestLoad load("<dae:COLLADA><dae:node id='n'/></dae:COLLADA>");
+    EXPECT_TRUE(load.collada.is("COLLADA"));
+    EXPECT_EQ(load.collada.child("node").path(), "COLLADA/node[id=n]");
+}
+
+TEST(XmlNodeTest, textGoesOnAfterACommentAndInACdataSection) {
+    TestLoad load("<COLLADA><p> 1 2 <!-- 9 --> 3 <![CDATA[4]]> </p></COLLADA>");
+    EXPECT_EQ(load.collada.child("p").text(), "1 2   3  4");
+}
+
+TEST(XmlNodeTest, thePathNamesIdsAndSids) {
+    TestLoad load(
+        "<COLLADA><node id='hip'><node sid='knee'><node><translate/></node></node></node></COLLADA>");
+    const XmlNode node = load.byId("hip").child("node").child("node").child("translate");
+    EXPECT_EQ(node.path(), "COLLADA/node[id=hip]/node[sid=knee]/node/translate");
+}
+
+TEST(XmlNodeTest, linesCountThroughCommentsAndBlankLines) {
+    TestLoad load("<COLLADA>\n<!-- a\nb -->\n\n<p>\n\n  1</p>\n</COLLADA>");
+    EXPECT_EQ(load.collada.child("p").line(), 5);
+}
+
+}  // namespace
+}  // namespace walkcycle
