@@ -71,21 +71,21 @@ LoadedMesh loadGeometry(XmlNode geometry, const LoadContext& context) {
     if (!mesh) return loaded;
     loaded.mesh.doubleSided = isDoubleSided(geometry, mesh);
 
-    PrimitiveInputs vertices;
+    Vertices vertices;
     if (const XmlNode element = mesh.child("vertices"))
         vertices = readVertices(element, context);
     else
         context.diagnostics.report(Code::MissingElement, mesh, {std::string(mesh.name()), "vertices"});
-    loaded.positionNormals = readPositionNormals(vertices);
+    loaded.positionNormals = readPositionNormals(vertices.inputs);
 
     std::vector<PrimitiveCorners> primitives;
     for (XmlNode child : mesh.children()) {
         if (!isPrimitive(child)) continue;
         context.checkCancelled(child);
-        PrimitiveCorners primitive = readPrimitive(child, context);
+        PrimitiveCorners primitive = readPrimitive(child, vertices, context);
         if (primitive.inputs.usable()) primitives.push_back(std::move(primitive));
     }
-    buildMesh(vertices, primitives, loaded, context);
+    buildMesh(vertices.inputs, primitives, loaded, context);
     return loaded;
 }
 

@@ -68,18 +68,26 @@ bool hasSemantic(XmlNode element, std::string_view semantic) {
     return false;
 }
 
-void addVertices(PrimitiveInputs& inputs, XmlNode vertices, std::size_t offset, const LoadContext& context) {
-    for (const Input& input : readInputs(vertices, context.documents, context.diagnostics))
-        addInput(inputs, input, offset, context);
-    if (!hasSemantic(vertices, "POSITION"))
-        context.diagnostics.report(Code::InputMissing, vertices, {"vertices", "POSITION"});
+// What <vertices> offer, as far as the primitive itself does not.
+void addVertices(PrimitiveInputs& inputs, const PrimitiveInputs& vertices, std::size_t offset) {
+    const auto takeFrom = [&](CornerInput& own, const CornerInput& theirs) {
+        if (!own.source) own = {theirs.source, offset, theirs.set};
+    };
+    takeFrom(inputs.position, vertices.position);
+    takeFrom(inputs.normal, vertices.normal);
+    takeFrom(inputs.color, vertices.color);
+    for (const CornerInput& input : vertices.texCoords)
+        inputs.texCoords.push_back({input.source, offset, freeSet(inputs.texCoords, input.set)});
 }
 
 // A VERTEX input leads to <vertices>. One that names the positions' <source> itself is wrong, but clear.
-void addVertexInput(PrimitiveInputs& inputs, const Input& input, std::size_t offset,
+void addVertexInput(PrimitiveInputs& inputs, const Input& input, const Vertices& vertices,
                     const LoadContext& context) {
+    const auto offset = static_cast<std::size_t>(input.offset);
     if (!input.source) return;  // already reported
-    if (input.source.is("vertices")) return addVertices(inputs, input.source, offset, context);
+    if (input.source == vertices.element) return addVertices(inputs, vertices.inputs, offset);
+    if (input.source.is("vertices"))  // those of another mesh
+        return addVertices(inputs, readVertices(input.source, context).inputs, offset);
     context.diagnostics.report(Code::WrongElement, input.element,
                                {"input", std::string(input.element.attribute("source")),
                                 std::string(input.source.name()), "vertices"});
@@ -91,7 +99,16 @@ void addVertexInput(PrimitiveInputs& inputs, const Input& input, std::size_t off
 
 }  // namespace
 
-PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const LoadContext& context) {
+Vertices readVertices(XmlNode element, const LoadContext& context) {
+    Vertices vertices{element, {}};
+    for (const Input& input : readInputs(element, context.documents, context.diagnostics))
+        addInput(vertices.inputs, input, 0, context);
+    if (!hasSemantic(element, "POSITION"))
+        context.diagnostics.report(Code::InputMissing, element, {"vertices", "POSITION"});
+    return vertices;
+}
+
+PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const Vertices& vertices, const LoadContext& context) {
     PrimitiveInputs inputs;
     const std::vector<Input> all = readInputs(primitive, context.documents, context.diagnostics);
     for (const Input& input : all)
@@ -101,16 +118,9 @@ PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const LoadContext& contex
         if (input.semantic != "VERTEX")
             addInput(inputs, input, static_cast<std::size_t>(input.offset), context);
     for (const Input& input : all)
-        if (input.semantic == "VERTEX")
-            addVertexInput(inputs, input, static_cast<std::size_t>(input.offset), context);
+        if (input.semantic == "VERTEX") addVertexInput(inputs, input, vertices, context);
     if (!hasSemantic(primitive, "VERTEX") && !hasSemantic(primitive, "POSITION"))
         context.diagnostics.report(Code::InputMissing, primitive, {std::string(primitive.name()), "VERTEX"});
-    return inputs;
-}
-
-PrimitiveInputs readVertices(XmlNode vertices, const LoadContext& context) {
-    PrimitiveInputs inputs;
-    addVertices(inputs, vertices, 0, context);
     return inputs;
 }
 

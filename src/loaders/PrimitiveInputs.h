@@ -25,10 +25,14 @@ struct PrimitiveInputs {
     bool usable() const { return position.source != nullptr; }
 };
 
-// Reads the inputs of a <triangles>, <polylist>, ... Without positions (reported) the result is not usable.
-PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const LoadContext& context);
+// A mesh's <vertices>, read once for all its primitives.
+struct Vertices {
+    XmlNode element;
+    PrimitiveInputs inputs;
+};
+Vertices readVertices(XmlNode element, const LoadContext& context);
 
-// The inputs of a <vertices> alone: what a mesh without primitives has.
-PrimitiveInputs readVertices(XmlNode vertices, const LoadContext& context);
+// Reads the inputs of a <triangles>, <polylist>, ... Without positions (reported) the result is not usable.
+PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const Vertices& vertices, const LoadContext& context);
 
 }  // namespace walkcycle

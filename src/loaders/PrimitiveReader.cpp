@@ -40,9 +40,10 @@ int lineOfNumber(XmlNode element, std::size_t n) {
 // Reads one primitive; its members are what the steps share.
 class Reader {
 public:
-    Reader(XmlNode element, Kind kind, const LoadContext& context) : kind_(kind), context_(context) {
+    Reader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
+        : kind_(kind), context_(context) {
         out_.element = element;
-        out_.inputs = readPrimitiveInputs(element, context);
+        out_.inputs = readPrimitiveInputs(element, vertices, context);
         const bool lines = kind == Kind::Lines || kind == Kind::Linestrips;
         out_.kind = lines ? Primitive::Lines : Primitive::Triangles;
     }
@@ -228,8 +229,8 @@ bool isPrimitive(XmlNode element) {
     return kindOf(element) != nullptr;
 }
 
-PrimitiveCorners readPrimitive(XmlNode element, const LoadContext& context) {
-    return Reader(element, kindOf(element)->kind, context).read();
+PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context) {
+    return Reader(element, kindOf(element)->kind, vertices, context).read();
 }
 
 CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {

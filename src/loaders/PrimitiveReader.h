@@ -29,7 +29,7 @@ bool isPrimitive(XmlNode element);
 
 // Reads the corners, not yet what they lead to: indices may be out of range. Where <p>, <vcount> and count disagree,
 // that is reported, and the faces that are whole are given.
-PrimitiveCorners readPrimitive(XmlNode element, const LoadContext& context);
+PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context);
 
 // Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. (The primitive itself for
 // fans and strips, whose corners are not the file's.)
