@@ -65,6 +65,7 @@ void CornerAttributes::addStream(const CornerInput& input, const char* semantic,
 
 float* CornerAttributes::read(std::size_t corner) {
     const std::int32_t* indices = primitive_->corner(corner);
+    std::fill_n(values_.begin(), kNormalSize, 0.0f);  // the caller may have put one in for the last corner
     for (Stream& stream : streams_) {
         const std::int32_t index = indices[stream.input->offset];
         const bool there = index >= 0 && static_cast<std::size_t>(index) < stream.input->source->count();

@@ -1,6 +1,9 @@
 #include "loaders/MorphLoader.h"
 
 #include <algorithm>
+#include <limits>
+
+#include <glm/common.hpp>
 
 #include "loaders/SmoothNormals.h"
 
@@ -46,6 +49,12 @@ std::vector<glm::vec3> normalsByShape(const LoadedMesh& base, const std::vector<
     return deltas;
 }
 
+// Finite, also where the distance is more than single precision can say.
+glm::vec3 difference(const glm::vec3& to, const glm::vec3& from) {
+    constexpr float kMost = std::numeric_limits<float>::max();
+    return glm::clamp(to - from, -kMost, kMost);
+}
+
 }  // namespace
 
 MorphTarget makeMorphTarget(const LoadedMesh& base, const LoadedMesh& target, MorphMethod method,
@@ -56,7 +65,7 @@ MorphTarget makeMorphTarget(const LoadedMesh& base, const LoadedMesh& target, Mo
     const std::vector<glm::vec3>& to = target.mesh.positions;
     result.positionDeltas.assign(from.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i)
-        result.positionDeltas[i] = method == MorphMethod::Normalized ? to[i] - from[i] : to[i];
+        result.positionDeltas[i] = method == MorphMethod::Normalized ? difference(to[i], from[i]) : to[i];
 
     // The normals of a RELATIVE target are differences, if anything; what the shape does is clear.
     const bool own = method == MorphMethod::Normalized && target.mesh.positions.size() >= from.size();

@@ -12,7 +12,7 @@ namespace {
 
 // A polygon may cost this many looks at its corners, per corner. Honest ones need fewer; for those made to be slow the
 // rest is cut without looking.
-constexpr std::uint64_t kStepsPerCorner = 2000;
+constexpr std::uint64_t kStepsPerCorner = 200, kStepsToBegin = 20000;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
@@ -50,7 +50,7 @@ const std::vector<std::uint32_t>& Triangulation::cut(std::span<const glm::vec3> 
     triangles_.clear();
     corners_.clear();
     steps_ = 0;
-    mostSteps_ = kStepsPerCorner * points.size();
+    mostSteps_ = kStepsPerCorner * points.size() + kStepsToBegin;
     flatten(points, ringEnds[0]);
     link(0, ringEnds[0], true);
     remaining_ = ringEnds[0];
