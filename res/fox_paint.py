@@ -83,11 +83,11 @@ def _eyes(c, m):
     c = mix(c, DARK, step(1.04, .98, np.minimum(outline, lash)) * front)
     white = np.hypot(x / rx, (z + .002) / rz)
     c = mix(c, rgb("fffaf0"), step(1.03, .97, white) * front)
-    inside = front * (white < 1)
+    inside = front * step(1.02, .98, white)
     iris = np.hypot((x + .006) / .031, (z + .003) / .041)
     ring = mix(np.broadcast_to(rgb("3f8f4d"), c.shape), rgb("b7d957"), step(.03, -.035, z))
     ring = mix(ring, rgb("1f3b2a"), step(.85, 1.0, iris))
-    c = np.where((inside * step(1.04, .97, iris))[:, None] > .5, ring, c)
+    c = mix(c, ring, inside * step(1.04, .96, iris))
     c = mix(c, rgb("17100f"), inside * step(1.06, .96, np.hypot((x + .006) / .019, (z + .001) / .028)))
     c = mix(c, np.ones(3), inside * step(1.1, .9, np.hypot(x + .018, z - .018) / .0105))
     c = mix(c, np.ones(3), inside * step(1.1, .9, np.hypot(x - .008, z + .022) / .0052) * .9)
@@ -112,8 +112,7 @@ def _folds(c, p, where, lines):
 
 
 def _jacket(c, p, m, n):
-    from fox_shape import _arm_points
-    shoulder, elbow, wrist = [np.array(v, np.float32) for v in _arm_points()]
+    shoulder, elbow, wrist = [np.array(v, np.float32) for v in fs.arm_points()]
     c = _weave(c, p, 900)
     along = (m - shoulder) @ ((wrist - shoulder) / np.linalg.norm(wrist - shoulder))
     bend = np.exp(-((along - .16) / .05) ** 2) * (m[:, 0] > .17) + .7 * np.exp(-((along - .005) / .03) ** 2)
@@ -202,7 +201,7 @@ def _paw(c, p, m, n):
     """Rosy pads on palm and finger tips, on the side the palm looks to."""
     normal = np.array(fs.sk.PALM_NORMAL, np.float32)
     facing = step(.45, .75, np.where(p[:, 0] < 0, -n[:, 0], n[:, 0]) * normal[0] + n[:, 2] * normal[2])
-    pads = [fs.sk._hand(.048, 0.004)] + [points[2] for points in fs.sk.FINGERS.values()]
+    pads = [fs.sk.hand_point(.048, 0.004)] + [points[2] for points in fs.sk.FINGERS.values()]
     for i, pad in enumerate(pads):
         radius = .028 if i == 0 else .013
         c = mix(c, rgb("d98f80"), facing * step(1.1, .8, np.linalg.norm(m - np.array(pad), axis=1) / radius / 1.25))

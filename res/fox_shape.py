@@ -47,9 +47,10 @@ def _skull(p):
 def _ear(p):
     m = mirrored(p)
     base, _, tip = [tuple(v) for v in sk.EAR_DRAWN]
-    outer = squash(m, base, (-.2, .98, 0), 0.48, lambda q: round_cone(q, base, tip, .084, .019))
-    cup = [(b[0] - .006, b[1] - .040, b[2]) for b in (base, tip)]
-    inner = squash(m, cup[0], (-.2, .98, 0), 0.5, lambda q: round_cone(q, cup[0], cup[1], .062, .002))
+    outer = squash(m, base, (-.2, .98, 0), 0.48, lambda q: round_cone(q, base, tip, .084, .017))
+    end = [b + .86 * (t - b) for b, t in zip(base, tip)]     # stays off the thin tip
+    cup = [(b[0] - .006, b[1] - .040, b[2]) for b in (base, end)]
+    inner = squash(m, cup[0], (-.2, .98, 0), 0.5, lambda q: round_cone(q, cup[0], cup[1], .062, .012))
     return smooth_cut(outer, inner, 0.012)
 
 
@@ -65,13 +66,13 @@ def _torso(p):
     return np.maximum(squash(p, (0, .01, 0), (0, 1, 0), 0.90, body), .520 - p[:, 2])
 
 
-def _arm_points():
+def arm_points():
     table = {name: (head, tail) for name, _, head, tail in sk.joints()}
     return table["upperarm_L"][0], table["forearm_L"][0], table["forearm_L"][1]
 
 
 def _sleeve(p):
-    shoulder, elbow, wrist = _arm_points()
+    shoulder, elbow, wrist = arm_points()
     cuff = wrist - 0.012 * sk.ARM_DIRECTION
     inside = shoulder - 0.05 * sk.ARM_DIRECTION
     m = mirrored(p)
@@ -80,7 +81,7 @@ def _sleeve(p):
 
 
 def _cuff(p):
-    _, _, wrist = _arm_points()
+    _, _, wrist = arm_points()
     m = mirrored(p)
     ring = round_cone(m, wrist - .022 * sk.ARM_DIRECTION, wrist - .006 * sk.ARM_DIRECTION, .064, .064)
     along = (m - np.array(wrist, np.float32)) @ np.array(sk.ARM_DIRECTION, np.float32)
@@ -88,7 +89,7 @@ def _cuff(p):
 
 
 def _hand(p):
-    _, _, wrist = _arm_points()
+    _, _, wrist = arm_points()
     m = mirrored(p)
     normal = tuple(sk.PALM_NORMAL)
     middle = wrist + .050 * sk.ARM_DIRECTION

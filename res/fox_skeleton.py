@@ -20,17 +20,17 @@ BALL = Vector((0.096, -0.105, 0.030))
 TOE_TIP = Vector((0.098, -0.180, 0.030))
 
 
-def _hand(along, across, out=0.0):
+def hand_point(along, across, out=0.0):
     """A point of the left hand: along the arm, across (+ = backwards), palmwards."""
     return _WRIST + along * ARM_DIRECTION + Vector((0, across, 0)) + out * PALM_NORMAL
 
 
 # finger name -> its three joints (knuckle, middle, tip)
 FINGERS = {
-    "index": (_hand(0.078, -0.038), _hand(0.110, -0.047, .004), _hand(0.140, -0.053, .012)),
-    "middle": (_hand(0.084, 0.000), _hand(0.120, 0.000, .004), _hand(0.152, 0.000, .012)),
-    "little": (_hand(0.078, 0.037), _hand(0.107, 0.046, .004), _hand(0.133, 0.052, .012)),
-    "thumb": (_hand(0.026, -0.034, .012), _hand(0.052, -0.066, .020), _hand(0.080, -0.082, .026)),
+    "index": (hand_point(0.078, -0.038), hand_point(0.110, -0.047, .004), hand_point(0.140, -0.053, .012)),
+    "middle": (hand_point(0.084, 0.000), hand_point(0.120, 0.000, .004), hand_point(0.152, 0.000, .012)),
+    "little": (hand_point(0.078, 0.037), hand_point(0.107, 0.046, .004), hand_point(0.133, 0.052, .012)),
+    "thumb": (hand_point(0.026, -0.034, .012), hand_point(0.052, -0.066, .020), hand_point(0.080, -0.082, .026)),
 }
 
 TAIL = [Vector(p) for p in ((0, 0.115, 0.560), (0, 0.215, 0.500), (0, 0.325, 0.470),
@@ -70,7 +70,7 @@ def _left_joints():
         ("clavicle", "chest", Vector((.030, .012, .800)), _SHOULDER),
         ("upperarm", "clavicle", _SHOULDER, _ELBOW),
         ("forearm", "upperarm", _ELBOW, _WRIST),
-        ("hand", "forearm", _WRIST, _hand(0.078, 0)),
+        ("hand", "forearm", _WRIST, hand_point(0.078, 0)),
         ("thigh", "pelvis", HIP, KNEE),
         ("shin", "thigh", KNEE, ANKLE),
         ("foot", "shin", ANKLE, BALL),
