@@ -1,6 +1,8 @@
 """Makes the fox: mesh, texture, skeleton, skin and clips, exported as COLLADA.
 
-    blender --background --factory-startup --python res/make_walker.py
+    blender -t 1 --background --factory-startup --python res/make_walker.py
+
+One thread, because decimation on several gives a slightly other mesh each time.
 """
 import os
 import re
