@@ -57,13 +57,18 @@ MatrixParts CurvedTransform::at(double s) const {
     return parts;
 }
 
+double shear(const MatrixParts& exact, const Tolerance& tolerance) {
+    double sum = 0.0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (row != column) sum += std::abs(exact.stretch[column][row]);
+    return tolerance.unit * tolerance.reach * sum;
+}
+
 double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance) {
     const glm::dquat apart = exact.rotation - keyed.rotation, other = exact.rotation + keyed.rotation;
     const double turned = 2.0 * std::sqrt(std::min(glm::dot(apart, apart), glm::dot(other, other)));
-    double linear = turned * largest(exact.scale()) + largest(exact.scale() - keyed.scale());
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            if (row != column) linear += std::abs(exact.stretch[column][row]);
+    const double linear = turned * largest(exact.scale()) + largest(exact.scale() - keyed.scale());
     return tolerance.unit * (glm::length(exact.position - keyed.position) + tolerance.reach * linear);
 }
 

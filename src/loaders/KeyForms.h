@@ -76,10 +76,13 @@ struct StraightNumber {
     double at(double progression) const { return a + (b - a) * progression; }
 };
 
-// Model-space distance, never underestimated, between where two transforms put the farthest point. Shear of the exact
-// one counts, as no key can hold it.
+// Model-space distance, never underestimated, between where two transforms put the farthest point; of the first kind
+// without shear, which no joint transform holds.
 double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance);
 double distance(const glm::dmat4& exact, const glm::dmat4& keyed, const Tolerance& tolerance);
 double distance(double exact, double keyed, const Tolerance& tolerance);
+
+// How far shear moves the farthest point.
+double shear(const MatrixParts& exact, const Tolerance& tolerance);
 
 }  // namespace walkcycle

@@ -57,14 +57,10 @@ public:
     MatrixParts at(double seconds, Side side) {
         MatrixParts parts = partsOf(motion_.localTransform(seconds, side), near_);
         near_ = parts.rotation;
-        MatrixParts unsheared = parts;
-        const glm::dvec3 scale = parts.scale();
-        unsheared.stretch = glm::dmat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z);
-        const bool isMirrored = scale.x < 0.0;
+        const bool isMirrored = parts.stretch[0][0] < 0.0;
         if (first_) wasMirrored_ = isMirrored;
         first_ = false;
-        if (!parts.turns || isMirrored != wasMirrored_ ||
-            distance(parts, unsheared, tolerance_) > 0.5 * tolerance_.budget)
+        if (!parts.turns || isMirrored != wasMirrored_ || shear(parts, tolerance_) > 0.3 * tolerance_.budget)
             fits_ = false;
         return parts;
     }
@@ -128,9 +124,9 @@ void fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& toleran
 
 Channel fitMatrices(const JointMotion& motion, const std::vector<Run>& runs, const Tolerance& tolerance,
                     std::size_t limit) {
-    Channel channel{.joint = motion.joint, .keyFrames = {}, .matrixKeyFrames = {}, .tangents = {}};
+    Channel channel{.joint = motion.joint};
     const auto exact = [&](double seconds, Side side) { return motion.localTransform(seconds, side); };
-    fitRuns<StraightMatrix>(runs, exact, tolerance, false, limit, channel);
+    fitRuns<StraightMatrix>(runs, exact, tolerance, motion.isStraightByNumber(), limit, channel);
     return channel;
 }
 
@@ -147,12 +143,12 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
     TransformOf transform(motion, tolerance);
     const auto exact = [&](double seconds, Side side) { return transform.at(seconds, side); };
 
-    Channel straight{.joint = motion.joint, .keyFrames = {}, .matrixKeyFrames = {}, .tangents = {}};
+    Channel straight{.joint = motion.joint};
     const std::size_t fewEnough = std::min(limit, 4 * knots.size() + 64);
     fitRuns<StraightTransform>(runs, exact, tolerance, motion.isStraight(), fewEnough, straight);
     if (transform.fits() && straight.keyFrames.size() > knots.size()) {
-        Channel curved{.joint = motion.joint, .keyFrames = {}, .matrixKeyFrames = {}, .tangents = {}};
-        fitRuns<CurvedTransform>(runs, exact, tolerance, false, limit, curved);
+        Channel curved{.joint = motion.joint};
+        fitRuns<CurvedTransform>(runs, exact, tolerance, false, std::min(limit, fewEnough), curved);
         const bool gaveUp = straight.keyFrames.size() >= fewEnough;
         if (transform.fits() && (gaveUp || 2 * curved.keyFrames.size() < straight.keyFrames.size()))
             return curved;

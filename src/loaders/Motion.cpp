@@ -34,6 +34,11 @@ bool anyJumps(const std::vector<Binding>& bindings) {
                        [](const Binding& b) { return b.from > -1e300 || b.curve->mayJump(); });
 }
 
+bool goesStraight(const Curve& curve) {
+    const auto isBezier = [](const Curve::Segment& segment) { return segment.kind == Curve::Kind::Bezier; };
+    return std::none_of(curve.segments.begin(), curve.segments.end(), isBezier);
+}
+
 bool overlapping(const CurveBinding& a, const CurveBinding& b) {
     return overlap(a, b);
 }
@@ -102,11 +107,15 @@ bool JointMotion::mayJump() const {
 }
 
 bool JointMotion::isStraight() const {
-    if (stack.size() != 1 || bindings.size() != 1 || outer != glm::dmat4(1.0)) return false;
-    const Curve& curve = *bindings[0].curve;
-    const auto isBezier = [](const Curve::Segment& segment) { return segment.kind == Curve::Kind::Bezier; };
-    return bindings[0].count == 16 && curve.before != Infinity::Linear && curve.after != Infinity::Linear &&
-           std::none_of(curve.segments.begin(), curve.segments.end(), isBezier);
+    return stack.size() == 1 && outer == glm::dmat4(1.0) && bindings.size() == 1 && bindings[0].count == 16 &&
+           goesStraight(*bindings[0].curve);
+}
+
+bool JointMotion::isStraightByNumber() const {
+    return stack.size() == 1 && stack[0].kind == TransformElement::Kind::Matrix &&
+           std::all_of(bindings.begin(), bindings.end(), [](const CurveBinding& b) {
+               return b.count == 1 && b.curve->parts.empty() && goesStraight(*b.curve);
+           });
 }
 
 double JointMotion::degreesTurned(double from, double to) const {

@@ -47,6 +47,8 @@ struct JointMotion {
     bool mayJump() const;
     // True if keyframes go just as it does between its knots: a whole <matrix> with LINEAR keys, and nothing else.
     bool isStraight() const;
+    // The same for matrix keyframes: every number of a <matrix> on LINEAR keys of its own.
+    bool isStraightByNumber() const;
     // Says which of several bindings to the same numbers rules when (see CurveBinding::from).
     void settleRivals();
     // No less than the degrees that the joint turns between two neighbouring knots.
