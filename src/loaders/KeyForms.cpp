@@ -58,11 +58,11 @@ MatrixParts CurvedTransform::at(double s) const {
 }
 
 double shear(const MatrixParts& exact, const Tolerance& tolerance) {
-    double sum = 0.0;
+    double most = 0.0;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
-            if (row != column) sum += std::abs(exact.stretch[column][row]);
-    return tolerance.unit * tolerance.reach * sum;
+            if (row != column) most = std::max(most, std::abs(exact.stretch[column][row]));
+    return tolerance.unit * tolerance.reach * most;
 }
 
 double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance) {

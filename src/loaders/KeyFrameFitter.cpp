@@ -60,7 +60,7 @@ public:
         const bool isMirrored = parts.stretch[0][0] < 0.0;
         if (first_) wasMirrored_ = isMirrored;
         first_ = false;
-        if (!parts.turns || isMirrored != wasMirrored_ || shear(parts, tolerance_) > 0.3 * tolerance_.budget)
+        if (!parts.turns || isMirrored != wasMirrored_ || shear(parts, tolerance_) > 2.0 * tolerance_.budget)
             fits_ = false;
         return parts;
     }

@@ -36,7 +36,9 @@ bool anyJumps(const std::vector<Binding>& bindings) {
 
 bool goesStraight(const Curve& curve) {
     const auto isBezier = [](const Curve::Segment& segment) { return segment.kind == Curve::Kind::Bezier; };
-    return std::none_of(curve.segments.begin(), curve.segments.end(), isBezier);
+    const auto rises = [](Infinity i) { return i == Infinity::Linear || i == Infinity::CycleRelative; };
+    return !rises(curve.before) && !rises(curve.after) &&
+           std::none_of(curve.segments.begin(), curve.segments.end(), isBezier);
 }
 
 bool overlapping(const CurveBinding& a, const CurveBinding& b) {
