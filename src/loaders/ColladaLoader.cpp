@@ -77,6 +77,7 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     for (const SceneGraph::Instance& source : scene.geometries) instances.add(source);
     for (const SceneGraph::Instance& source : scene.controllers) instances.add(source);
     meshes.moveInto(model);
+    makeBumpTangents(model);
     report(context, 0.7);
 
     loadCameras(scene, context, model, targets);

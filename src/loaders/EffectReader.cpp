@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "loaders/BumpMap.h"
 #include "loaders/ExporterQuirks.h"
 #include "loaders/NumberParser.h"
 
@@ -49,15 +50,17 @@ bool isTrue(XmlNode flag) {
     return text == "1" || text == "true" || text == "TRUE";
 }
 
-bool isGrey(const Image& image) {
-    for (std::size_t i = 0; i + 2 < image.rgba.size(); i += 4)
-        if (image.rgba[i] != image.rgba[i + 1] || image.rgba[i] != image.rgba[i + 2]) return false;
-    return true;
-}
-
 bool hasHoles(const Image& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
         if (image.rgba[i] != 255) return true;
+    return false;
+}
+
+bool hasDiffusePictures(const ColladaDocument& document) {
+    for (XmlNode library : document.root().children("library_effects"))
+        for (XmlNode effect : library.children("effect"))
+            for (XmlNode shader : effect.child("profile_COMMON").child("technique").children())
+                if (shader.child("diffuse").child("texture")) return true;
     return false;
 }
 
@@ -108,6 +111,7 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
     if (!node) {
         // COLLADA 1.4.1, "Determining transparency": without <transparent> all is opaque but for <transparency>.
         if (slot == Slot::Transparent) material.slot(slot).color = glm::vec4(1.0f);
+        if (slot == Slot::Diffuse) useChosenPicture(parameters.effect().document(), material);
         return;
     }
     material.slot(slot).present = true;
@@ -118,6 +122,19 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
     } else if (const XmlNode texture = node.child("texture")) {
         readTexture(texture, slot, parameters, material);
     }
+    if (slot == Slot::Diffuse && !node.child("texture"))
+        useChosenPicture(parameters.effect().document(), material);
+}
+
+// Where the document has no diffuse picture that the user's could stand for, it goes on everything.
+void EffectReader::useChosenPicture(const ColladaDocument& document, Material& material) {
+    if (context_.options.texture.empty()) return;
+    const auto [entry, isNew] = hasDiffusePictures_.try_emplace(&document, false);
+    if (isNew) entry->second = hasDiffusePictures(document);
+    if (entry->second) return;
+    ColorOrTexture& diffuse = material.slot(Slot::Diffuse);
+    diffuse.texture = textures_.chosen();
+    if (imageOf(material, Slot::Diffuse)) diffuse.color = glm::vec4(1.0f);
 }
 
 void EffectReader::readColor(XmlNode value, glm::vec4& color) {
@@ -180,8 +197,11 @@ void EffectReader::readBump(XmlNode bump, const EffectParameters& parameters, Ma
     readTexture(texture, Slot::Bump, parameters, material);
     const std::string_view kind = bump.attribute("bumptype");
     const Image* image = imageOf(material, Slot::Bump);
-    // Most exporters do not say which it is; a picture of normals is bluish, one of heights is grey.
-    material.bumpIsHeights = kind.empty() ? image && isGrey(*image) : kind == "HEIGHTFIELD";
+    if (!image) return;
+    // Most exporters do not say which it is.
+    const bool heights = kind.empty() ? holdsHeights(*image) : kind == "HEIGHTFIELD";
+    int& index = material.slot(Slot::Bump).texture;
+    if (heights) index = textures_.asNormals(index);
 }
 
 void EffectReader::readOpaque(XmlNode transparent, Material& material) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <unordered_map>
 
 #include "loaders/EffectParameters.h"
 #include "loaders/LoadContext.h"
@@ -26,6 +27,7 @@ private:
     void readNumber(XmlNode shader, const char* name, const EffectParameters& parameters, float& number);
     XmlNode parameter(XmlNode param, const EffectParameters& parameters);
     void readTexture(XmlNode texture, Slot slot, const EffectParameters& parameters, Material& material);
+    void useChosenPicture(const ColladaDocument& document, Material& material);
     void readExtras(XmlNode element, const EffectParameters& parameters, Material& material);
     void readBump(XmlNode bump, const EffectParameters& parameters, Material& material);
     void readOpaque(XmlNode transparent, Material& material);
@@ -35,6 +37,7 @@ private:
     const LoadContext& context_;
     Model& model_;
     TextureReader textures_;
+    std::unordered_map<const ColladaDocument*, bool> hasDiffusePictures_;
 };
 
 }  // namespace walkcycle

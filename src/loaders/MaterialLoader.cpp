@@ -1,6 +1,7 @@
 #include "loaders/MaterialLoader.h"
 
 #include "loaders/EffectReader.h"
+#include "loaders/Tangents.h"
 #include "loaders/TexCoordBinding.h"
 
 namespace walkcycle {
@@ -113,6 +114,18 @@ std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData&
 
 const std::unordered_multimap<XmlNode, int>& MaterialLoader::elements() const {
     return impl_->elements;
+}
+
+void makeBumpTangents(Model& model) {
+    constexpr auto kBump = static_cast<std::size_t>(Slot::Bump);
+    for (const MeshInstance& instance : model.instances) {
+        MeshData& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
+        for (const PartMaterial& bound : instance.materials) {
+            const int set = bound.texCoordSets[kBump];
+            if (bound.material >= 0 && set >= 0 && mesh.tangents.empty())
+                makeTangents(mesh, static_cast<std::size_t>(set));
+        }
+    }
 }
 
 }  // namespace walkcycle

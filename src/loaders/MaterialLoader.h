@@ -25,4 +25,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+// Bump pictures lean along a surface's tangents: makes those of every mesh that has such a picture bound.
+void makeBumpTangents(Model& model);
+
 }  // namespace walkcycle

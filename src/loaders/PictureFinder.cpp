@@ -129,6 +129,7 @@ std::optional<PictureFinder::File> PictureFinder::guess(XmlNode where, const std
     if (std::optional<File> file = inFolder(where, "", name)) return file;
     for (const char* usual : kUsualFolders)
         if (std::optional<File> file = inFolder(where, usual, name)) return file;
+    if (std::optional<File> file = inAnotherFormat(where, name)) return file;
     return onlyPicture(where);
 }
 
@@ -138,6 +139,16 @@ std::optional<PictureFinder::File> PictureFinder::inFolder(XmlNode where, const 
     if (std::optional<File> file = read(where, prefix + name)) return file;
     const std::string similar = inAnotherCase(context_.documents.listBeside(where, folder), name);
     return similar.empty() ? std::nullopt : read(where, prefix + similar);
+}
+
+// "skin.dds" was made from "skin.png", or is now one.
+std::optional<PictureFinder::File> PictureFinder::inAnotherFormat(XmlNode where, const std::string& name) {
+    const std::string stem = fs::path(name).stem().string();
+    for (const std::string& other : context_.documents.listBeside(where, "")) {
+        if (isPictureName(other) && !inAnotherCase({stem}, fs::path(other).stem().string()).empty())
+            return read(where, other);
+    }
+    return {};
 }
 
 std::optional<PictureFinder::File> PictureFinder::onlyPicture(XmlNode where) {

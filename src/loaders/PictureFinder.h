@@ -12,7 +12,7 @@
 namespace walkcycle {
 
 // Finds and decodes the pictures that <image>s name, each once. In order: the path as the file has it; its base name
-// beside the document; both in another case; the usual subfolders; the folder's only picture. All but the first is a
+// beside the document; both in another case; the usual subfolders; that name with another ending; the folder's only picture. All but the first is a
 // guess and says so. Never the network, and nothing outside the document's folder tree unless it is allowed.
 class PictureFinder {
 public:
@@ -39,6 +39,7 @@ private:
     std::optional<File> asWritten(XmlNode where, const std::string& uri);
     std::optional<File> guess(XmlNode where, const std::string& uri);
     std::optional<File> inFolder(XmlNode where, const std::string& folder, const std::string& name);
+    std::optional<File> inAnotherFormat(XmlNode where, const std::string& name);
     std::optional<File> onlyPicture(XmlNode where);
     std::optional<File> read(XmlNode where, const std::string& path);
     bool mayBeInside(XmlNode where, const std::string& path) const;

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "loaders/BumpMap.h"
+
 namespace walkcycle {
 namespace {
 
@@ -83,6 +85,27 @@ int TextureReader::read(XmlNode texture, const EffectParameters& parameters, Slo
     const PictureFinder::Picture& picture = chosen ? pictures_.chosenByUser() : pictureOf(image, result);
     result.path = picture.path;
     result.image = picture.image;
+    model_.textures.push_back(std::move(result));
+    return entry->second;
+}
+
+int TextureReader::chosen() {
+    const auto [entry, isNew] =
+        indices_.try_emplace({nullptr, nullptr, true}, static_cast<int>(model_.textures.size()));
+    if (!isNew) return entry->second;
+    const PictureFinder::Picture& picture = pictures_.chosenByUser();
+    Texture result;
+    result.path = picture.path;
+    result.image = picture.image;
+    model_.textures.push_back(std::move(result));
+    return entry->second;
+}
+
+int TextureReader::asNormals(int texture) {
+    const auto [entry, isNew] = normals_.try_emplace(texture, static_cast<int>(model_.textures.size()));
+    if (!isNew) return entry->second;
+    Texture result = model_.textures[static_cast<std::size_t>(texture)];
+    if (result.image) result.image = std::make_shared<const Image>(normalsOfHeights(*result.image));
     model_.textures.push_back(std::move(result));
     return entry->second;
 }

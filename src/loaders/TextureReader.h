@@ -20,6 +20,10 @@ public:
 
     // An index into Model::textures (its picture may be missing); -1 where the way ends before an <image>, reported.
     int read(XmlNode texture, const EffectParameters& parameters, Slot slot);
+    // The texture that the user chose for what has none.
+    int chosen();
+    // A texture of heights as one of normals, which is what a bump slot holds. Made once.
+    int asNormals(int texture);
 
 private:
     XmlNode imageOf(XmlNode texture, XmlNode sampler, const EffectParameters& parameters);
@@ -32,6 +36,7 @@ private:
     const LoadContext& context_;
     Model& model_;
     PictureFinder pictures_;
+    std::map<int, int> normals_;
     std::unordered_map<const ColladaDocument*, std::unordered_map<std::string_view, XmlNode>> imagesByName_;
     std::map<std::tuple<const void*, const void*, bool>, int>
         indices_;  // by image, sampler, and whether the user chose

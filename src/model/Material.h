@@ -60,7 +60,6 @@ struct Material {
     OpaqueMode opaque = OpaqueMode::AOne;
     bool transparent = false;  // after the rule for inverted exporters: draws with blending
     bool doubleSided = false;
-    bool bumpIsHeights = false;  // the bump picture holds heights (greys), not normals
 
     const ColorOrTexture& slot(Slot s) const { return slots[static_cast<std::size_t>(s)]; }
     ColorOrTexture& slot(Slot s) { return slots[static_cast<std::size_t>(s)]; }

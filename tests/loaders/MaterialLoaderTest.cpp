@@ -73,6 +73,36 @@ TEST_F(MaterialLoaderTest, aPartThatAsksForNothingGetsNothing) {
     EXPECT_TRUE(file.diagnostics.all().empty());
 }
 
+TEST_F(MaterialLoaderTest, meshesWithBumpsGetTangents) {
+    MeshData mesh = MaterialsOf::meshAsking("chain");
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.vertexPositions = {0, 1, 2};
+    mesh.normals.assign(3, {0, 0, 1});
+    mesh.texCoordSets = {{0, {{0, 0}, {1, 0}, {0, 1}}}};
+    mesh.indices = {0, 1, 2};
+    mesh.parts[0].indexCount = 3;
+    file.model.instances.resize(2);
+    file.model.instances[0].materials = file.loader.bind(file.root, mesh);
+    file.model.meshes = {mesh, mesh};
+    file.model.instances[1].mesh = 1;
+    makeBumpTangents(file.model);
+
+    ASSERT_EQ(file.model.meshes[0].tangents.size(), 3u);
+    EXPECT_NEAR(file.model.meshes[0].tangents[0].x, 1.0f, 1e-5f);
+    EXPECT_TRUE(file.model.meshes[1].tangents.empty());
+}
+
+TEST_F(MaterialLoaderTest, theUsersPictureStandsForEveryDiffuseOne) {
+    LoadOptions options;
+    options.texture = MaterialsOf::fixture("not-there.png");
+    MaterialsOf withPictures(MaterialsOf::fixture("material-textures.dae"), options);
+    EXPECT_EQ(withPictures.texture(withPictures.material("direct"), Slot::Diffuse).id, "skin-img");
+    EXPECT_FALSE(withPictures.texture(withPictures.material("direct"), Slot::Diffuse).image);
+    MaterialsOf without(MaterialsOf::fixture("material-slots.dae"), options);
+    EXPECT_EQ(without.material("skin").slot(Slot::Diffuse).texture, 0);
+    EXPECT_EQ(without.material("half").slot(Slot::Diffuse).texture, 0);
+}
+
 TEST_F(MaterialLoaderTest, animationsFindMaterialsByTheirElements) {
     const PartMaterial bound = file.boundAt("both");
 

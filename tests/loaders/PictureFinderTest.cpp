@@ -94,6 +94,14 @@ TEST_F(PictureFinderTest, theUsualFoldersAreSearched) {
     EXPECT_EQ(search.nameOf("skin.png"), "skin.png");
 }
 
+TEST_F(PictureFinderTest, theSameNameWithAnotherEndingWillDo) {
+    put("Skin.png");
+    put("other.png");
+    Search search(document());
+
+    EXPECT_EQ(search.nameOf("textures/skin.dds"), "Skin.png");
+}
+
 TEST_F(PictureFinderTest, theOnlyPictureOfTheFolderIsTheLastResort) {
     put("Untitled.png");
     {

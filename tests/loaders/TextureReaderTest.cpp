@@ -37,8 +37,8 @@ TEST_F(TextureReaderTest, samplerSaysHowThePictureIsRepeatedAndFiltered) {
 TEST_F(TextureReaderTest, oneSamplerIsOneTexture) {
     const Material chain = file.material("chain");
 
-    EXPECT_EQ(chain.slot(Slot::Diffuse).texture, chain.slot(Slot::Bump).texture);
-    EXPECT_EQ(file.model.textures.size(), 1u);
+    EXPECT_EQ(chain.slot(Slot::Diffuse).texture, chain.slot(Slot::Transparent).texture);
+    EXPECT_EQ(file.model.textures.size(), 2u);  // and the bumps
 }
 
 TEST_F(TextureReaderTest, aPictureIsDecodedOnceForAllItsSamplers) {
@@ -58,7 +58,8 @@ TEST_F(TextureReaderTest, bumpsStandInExtra) {
     const Material chain = file.material("chain");
 
     EXPECT_TRUE(chain.slot(Slot::Bump).present);
-    EXPECT_TRUE(chain.bumpIsHeights);
+    EXPECT_EQ(file.texture(chain, Slot::Bump).image->rgba[3], 255);  // heights are turned into normals
+    EXPECT_NE(chain.slot(Slot::Bump).texture, chain.slot(Slot::Diffuse).texture);
     EXPECT_EQ(chain.slot(Slot::Bump).texCoordName, "UVSET0");
 }
 
