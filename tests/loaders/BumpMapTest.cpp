@@ -9,7 +9,7 @@ namespace {
 Image slope() {
     Image image{.width = 4, .height = 4, .hasAlpha = false, .rgba = {}};
     for (int row = 0; row < 4; ++row)
-        for (const std::uint8_t grey : {0, 50, 100, 150})
+        for (const auto grey : std::initializer_list<std::uint8_t>{0, 50, 100, 150})
             for (const std::uint8_t byte : {grey, grey, grey, std::uint8_t{255}}) image.rgba.push_back(byte);
     return image;
 }
