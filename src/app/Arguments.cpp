@@ -1,0 +1,51 @@
+#include "app/Arguments.h"
+
+#include <CLI/CLI.hpp>
+
+namespace walkcycle {
+
+void Arguments::positional(const std::string& name, const std::string& help, std::string& target, Need need) {
+    app_.add_option(name, target, help)->option_text(" ")->required(need == Need::Required);
+}
+
+void Arguments::positionals(const std::string& name, const std::string& help,
+                            std::vector<std::string>& target) {
+    app_.add_option(name, target, help)->option_text("...")->required();
+}
+
+void Arguments::option(const std::string& names, const std::string& value, const std::string& help,
+                       std::string& target) {
+    app_.add_option(names, target, help)->option_text(value)->group(group_);
+}
+
+void Arguments::option(const std::string& names, const std::string& value, const std::string& help,
+                       std::function<void(const std::string&)> set) {
+    app_.add_option_function<std::string>(names, set, help)->option_text(value)->group(group_);
+}
+
+void Arguments::options(const std::string& names, const std::string& value, const std::string& help,
+                        std::vector<std::string>& target) {
+    // Without allow_extra_args(false), one --anim would swallow the positional FILE after its own.
+    app_.add_option(names, target, help)
+        ->option_text(value)
+        ->allow_extra_args(false)
+        ->take_all()
+        ->group(group_);
+}
+
+void Arguments::choice(const std::string& names, const std::vector<std::string>& choices,
+                       const std::string& help, std::string& target) {
+    std::string all;
+    for (const std::string& choice : choices) all += (all.empty() ? "" : "|") + choice;
+    app_.add_option(names, target, help)->option_text(all)->check(CLI::IsMember(choices))->group(group_);
+}
+
+void Arguments::flag(const std::string& names, const std::string& help, bool& target) {
+    app_.add_flag(names, target, help)->group(group_);
+}
+
+void Arguments::examples(const std::string& text) {
+    app_.footer("\nExamples:\n" + text);
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,41 @@
+#include <memory>
+
+#include "app/Commands.h"
+#include "app/ExitCode.h"
+#include "app/InfoText.h"
+#include "app/LoadArguments.h"
+#include "app/Messages.h"
+
+namespace walkcycle {
+namespace {
+
+struct InfoOptions {
+    LoadArguments load;
+    std::string file;
+    bool json = false;
+};
+
+void declare(InfoOptions& options, Arguments& arguments) {
+    arguments.positional("FILE", "The document; - is standard input", options.file,
+                         Arguments::Need::Required);
+    arguments.flag("--json", "Print JSON", options.json);
+    options.load.declare(arguments);
+    arguments.examples("  walkcycle info hero.dae\n  walkcycle info hero.dae --json | jq .clips\n");
+}
+
+int run(const InfoOptions& options) {
+    const Model model = options.load.load(options.file);
+    printOut(options.json ? infoJson(model) : infoText(model));
+    return kFine;
+}
+
+}  // namespace
+
+Command infoCommand() {
+    const auto options = std::make_shared<InfoOptions>();
+    return {"info", "What is in a file: axes, unit, joints, clips, meshes, materials, textures",
+            [options](Arguments& arguments) { declare(*options, arguments); },
+            [options] { return run(*options); }};
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace walkcycle {
+
+// Writes JSON straight into a string: a pose is megabytes of numbers, and each is written once.
+class JsonText {
+public:
+    void raw(std::string_view text) { text_ += text; }
+
+    void string(std::string_view value) {
+        text_ += '"';
+        for (const char c : value) character(c);
+        text_ += '"';
+    }
+
+    // The shortest text that reads back as the same number. JSON knows no infinity; nothing that reaches this far
+    // should be one, and a reader must not choke if it is.
+    template <typename Number>
+    void number(Number value) {
+        if (!std::isfinite(value)) return raw("0");
+        std::array<char, 32> digits;
+        const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+        text_.append(digits.data(), result.ptr);
+    }
+
+    std::string take() { return std::move(text_); }
+
+private:
+    void character(char c) {
+        constexpr std::string_view kHex = "0123456789abcdef";
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            text_ += '\\';
+            text_ += c;
+        } else if (byte < 0x20) {
+            text_ += "\\u00";
+            text_ += kHex[byte >> 4];
+            text_ += kHex[byte & 15];
+        } else {
+            text_ += c;
+        }
+    }
+
+    std::string text_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,105 @@
+#include "app/LoadArguments.h"
+
+#include "app/ExitCode.h"
+#include "app/Numbers.h"
+#include "loaders/ColladaLoader.h"
+#include "loaders/Diagnostics.h"
+
+namespace walkcycle {
+namespace {
+
+UpAxis parseAxis(const std::string& text) {
+    if (text == "X" || text == "x" || text == "X_UP") return UpAxis::X;
+    if (text == "Y" || text == "y" || text == "Y_UP") return UpAxis::Y;
+    if (text == "Z" || text == "z" || text == "Z_UP") return UpAxis::Z;
+    throw UsageError("--up: '" + text + "' is not an axis: X, Y or Z");
+}
+
+double parsePositive(const std::string& text, const std::string& option) {
+    const double number = parseNumber(text, option);
+    if (!(number > 0.0)) throw UsageError(option + ": '" + text + "' is not over zero");
+    return number;
+}
+
+}  // namespace
+
+void LoadArguments::declare(Arguments& arguments) {
+    arguments.group("Reading the file");
+    arguments.option("--texture", "FILE", "Use this picture for every diffuse texture", options.texture);
+    arguments.options("--allow-path", "DIR", "Let the document refer to files in this folder, too",
+                      options.allowedPaths);
+    arguments.option("--scene", "ID", "The visual scene to show, by id or name", options.scene);
+    arguments.flag("--no-convert", "Keep the document's own axes and unit (otherwise Y up, metres)",
+                   noConvert_);
+    arguments.option("--up", "X|Y|Z", "The axis that is up, instead of the document's own",
+                     [this](const std::string& text) { options.upAxis = parseAxis(text); });
+    arguments.option(
+        "--unit", "METRES", "Metres per unit, instead of the document's own",
+        [this](const std::string& text) { options.metersPerUnit = parsePositive(text, "--unit"); });
+    arguments.choice("--skin-node", {"auto", "apply", "ignore"},
+                     "Whether a skin's node moves it as well as its joints do", skinNode_);
+    arguments.option(
+        "--tolerance", "SHARE", "Largest error of the keyframes, as a share of the model's size (1e-4)",
+        [this](const std::string& text) { options.tolerance = parsePositive(text, "--tolerance"); });
+    arguments.flag("--strict", "Take warnings for errors: end with 1 where the file has any", strict);
+    arguments.flag("--verbose,-v", "Say more: also notes, and what was found and chosen", verbose);
+    arguments.flag("--quiet,-q", "Say nothing but what stops the program", quiet);
+    declareLimits(arguments);
+}
+
+void LoadArguments::declareLimits(Arguments& arguments) {
+    arguments.group("Limits (with k, M, G)");
+    const auto limit = [&](const std::string& name, const std::string& help, std::uint64_t& target) {
+        arguments.option(name, "N", help,
+                         [&target, name](const std::string& text) { target = parseSize(text, name); });
+    };
+    LoadLimits& limits = options.limits;
+    limit("--max-file-bytes", "Size of a file", limits.maxFileBytes);
+    limit("--max-elements", "XML elements of a document", limits.maxElements);
+    limit("--max-nodes", "Nodes of the scene", limits.maxNodes);
+    limit("--max-instances", "Meshes drawn", limits.maxInstances);
+    limit("--max-vertices", "Vertices of all meshes drawn", limits.maxVertices);
+    limit("--max-influences", "Joints that pull one vertex", limits.maxInfluencesPerVertex);
+    limit("--max-keyframes", "Keyframes made from the curves", limits.maxKeyFrames);
+    limit("--max-documents", "Other documents referred to", limits.maxDocuments);
+    limit("--max-archive-bytes", "Unpacked size of an archive", limits.archive.maxTotalBytes);
+    limit("--max-archive-entries", "Files in an archive", limits.archive.maxEntries);
+    arguments.option("--max-archive-ratio", "X", "Unpacked over packed size",
+                     [&limits](const std::string& text) {
+                         limits.archive.maxRatio = parsePositive(text, "--max-archive-ratio");
+                     });
+    arguments.option("--max-image-size", "N", "Width or height of a picture",
+                     [&limits](const std::string& text) {
+                         limits.image.maxDimension = parseInteger(text, "--max-image-size", 1, 65536);
+                     });
+    arguments.option("--max-image-pixels", "N", "Pixels of a picture", [&limits](const std::string& text) {
+        limits.image.maxPixels = static_cast<std::int64_t>(parseSize(text, "--max-image-pixels"));
+    });
+}
+
+Model LoadArguments::loadSilently(const std::string& file) const {
+    LoadOptions chosen = options;
+    if (noConvert_) chosen.convert = false;
+    chosen.skinNode = skinNode_ == "apply"    ? SkinNode::Apply
+                      : skinNode_ == "ignore" ? SkinNode::Ignore
+                                              : SkinNode::Auto;
+    Progress progress("loading", !quiet);
+    chosen.progress = [&progress](double share) { progress.update(share); };
+    return loadCollada(file, chosen);
+}
+
+Model LoadArguments::load(const std::string& file) const {
+    const Severity least = quiet ? Severity::Error : verbose ? Severity::Info : Severity::Warning;
+    try {
+        Model model = loadSilently(file);
+        if (!quiet) printDiagnostics(model.diagnostics, least);
+        const DiagnosticCounts counts = count(model.diagnostics);
+        if (strict && counts.errors + counts.warnings > 0) throw StrictFailure{};
+        return model;
+    } catch (const LoadError& error) {
+        printDiagnostics(quiet ? std::span(error.diagnostics).last(1) : std::span(error.diagnostics), least);
+        throw;
+    }
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,28 @@
+#include "app/PictureFile.h"
+
+#include <algorithm>
+
+#include "app/ExitCode.h"
+
+namespace walkcycle {
+namespace {
+
+bool endsWith(std::string path, const std::string& extension) {
+    std::transform(path.begin(), path.end(), path.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return path.ends_with(extension);
+}
+
+}  // namespace
+
+bool isPictureName(const std::string& path) {
+    return path == "-" || path.starts_with("/dev/") || endsWith(path, ".png") || endsWith(path, ".webp");
+}
+
+void writePicture(const std::string& path, const Image& image) {
+    if (!isPictureName(path))
+        throw UsageError("'" + path + "' is no picture that can be written: .png or .webp");
+    writeFile(path, endsWith(path, ".webp") ? encodeWebp(image) : encodePng(image));
+}
+
+}  // namespace walkcycle

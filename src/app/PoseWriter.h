@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/ExactPose.h"
+#include "model/Model.h"
+
+namespace walkcycle {
+
+// What `pose --json` prints. `poses` has one entry per time.
+template <typename Number>
+std::string poseJson(const Model& model, std::span<const double> times,
+                     std::span<const PosedModel<Number>> poses);
+
+extern template std::string poseJson(const Model&, std::span<const double>,
+                                     std::span<const PosedModel<float>>);
+extern template std::string poseJson(const Model&, std::span<const double>,
+                                     std::span<const PosedModel<double>>);
+
+}  // namespace walkcycle

@@ -1,0 +1,17 @@
+#include "app/Commands.h"
+#include "platform/HeadlessContext.h"
+#include "platform/NoGraphicsDevice.h"
+
+namespace walkcycle {
+
+std::string versionText() {
+    std::string text = std::string("walkcycle ") + WALKCYCLE_VERSION + "\n" + WALKCYCLE_LIBRARIES + "\n";
+    try {
+        const HeadlessContext context;
+        return text + context.description();
+    } catch (const NoGraphicsDevice& error) {
+        return text + "no OpenGL: " + error.what();
+    }
+}
+
+}  // namespace walkcycle
