@@ -48,6 +48,7 @@ private:
     bool joinRing(const Ring& ring, std::size_t meshCorner);
     void useNormal(float* normal, std::size_t meshCorner);
     void cutFace(std::span<const Ring> rings);
+    bool isPlainQuad(const Ring& quad);
     bool hasArea(const Ring& ring);
     std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner);
     void report(const PrimitiveCorners& primitive);
@@ -183,11 +184,12 @@ void Builder::cutFace(std::span<const Ring> rings) {
     const Ring& outline = rings[0];
     if (!hasArea(outline)) ++flatFaces_;
     const std::uint32_t* vertices = loaded_.cornerVertices.data();
-    if (rings.size() == 1 && outline.cornerCount == 3) {
-        mesh_.indices.insert(mesh_.indices.end(), vertices + outline.firstCorner,
-                             vertices + outline.firstCorner + 3);
-        return;
-    }
+    const std::uint32_t* v = vertices + outline.firstCorner;
+    // Nearly all are triangles and plain quads.
+    if (rings.size() == 1 && outline.cornerCount == 3)
+        return void(mesh_.indices.insert(mesh_.indices.end(), {v[0], v[1], v[2]}));
+    if (rings.size() == 1 && outline.cornerCount == 4 && isPlainQuad(outline))
+        return void(mesh_.indices.insert(mesh_.indices.end(), {v[0], v[1], v[2], v[0], v[2], v[3]}));
     points_.clear();
     pointVertices_.clear();
     ringEnds_.clear();
@@ -201,6 +203,18 @@ void Builder::cutFace(std::span<const Ring> rings) {
     }
     for (const std::uint32_t point : triangulation_.cut(points_, ringEnds_))
         mesh_.indices.push_back(pointVertices_[point]);
+}
+
+// Whether a quad may be cut from its first corner to its third: both halves face where the whole faces.
+bool Builder::isPlainQuad(const Ring& quad) {
+    const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + quad.firstCorner;
+    const glm::dvec3 origin(mesh_.positions[corners[0]]);
+    const glm::dvec3 first = glm::dvec3(mesh_.positions[corners[1]]) - origin;
+    const glm::dvec3 diagonal = glm::dvec3(mesh_.positions[corners[2]]) - origin;
+    const glm::dvec3 last = glm::dvec3(mesh_.positions[corners[3]]) - origin;
+    const glm::dvec3 half = glm::cross(first, diagonal), otherHalf = glm::cross(diagonal, last);
+    const glm::dvec3 whole = half + otherHalf;
+    return glm::dot(half, whole) > 0.0 && glm::dot(otherHalf, whole) > 0.0;
 }
 
 bool Builder::hasArea(const Ring& ring) {

@@ -84,8 +84,9 @@ void addVertices(PrimitiveInputs& inputs, const PrimitiveInputs& vertices, std::
 void addVertexInput(PrimitiveInputs& inputs, const Input& input, const Vertices& vertices,
                     const LoadContext& context) {
     const auto offset = static_cast<std::size_t>(input.offset);
-    if (!input.source) return;  // already reported
-    if (input.source == vertices.element) return addVertices(inputs, vertices.inputs, offset);
+    // A mesh has one <vertices> only, so a reference that leads nowhere (reported) can mean no other.
+    if (!input.source || input.source == vertices.element)
+        return addVertices(inputs, vertices.inputs, offset);
     if (input.source.is("vertices"))  // those of another mesh
         return addVertices(inputs, readVertices(input.source, context).inputs, offset);
     context.diagnostics.report(Code::WrongElement, input.element,

@@ -8,14 +8,22 @@ namespace {
 
 constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
 
+// The bits of a number; adding zero makes -0 the 0 that it equals.
+std::uint64_t bitsOf(float number) {
+    return std::bit_cast<std::uint32_t>(number + 0.0f);
+}
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t bits) {
+    hash = (hash ^ bits) * 0xFF51AFD7ED558CCDull;
+    return hash ^ (hash >> 32);
+}
+
 std::uint32_t hashOf(std::uint32_t position, const float* attributes, std::size_t count) {
-    std::uint64_t hash = position * 0x9E3779B97F4A7C15ull;
-    for (std::size_t i = 0; i < count; ++i) {
-        // Adding zero makes -0 the 0 that it equals.
-        hash = (hash ^ std::bit_cast<std::uint32_t>(attributes[i] + 0.0f)) * 0xFF51AFD7ED558CCDull;
-        hash ^= hash >> 32;
-    }
-    return static_cast<std::uint32_t>(hash ^ (hash >> 29));
+    std::uint64_t hash = mixed(position, bitsOf(attributes[0]) << 32);  // there is always a normal
+    std::size_t i = 1;
+    for (; i + 1 < count; i += 2) hash = mixed(hash, bitsOf(attributes[i]) | bitsOf(attributes[i + 1]) << 32);
+    if (i < count) hash = mixed(hash, bitsOf(attributes[i]));
+    return static_cast<std::uint32_t>(hash);
 }
 
 }  // namespace
@@ -23,7 +31,7 @@ std::uint32_t hashOf(std::uint32_t position, const float* attributes, std::size_
 VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedCorners)
     : attributeCount_(attributeCount) {
     // Characters share a vertex among four to six corners; tables at most half full stay fast.
-    table_.assign(std::bit_ceil(std::max<std::size_t>(expectedCorners / 2, 16)), kEmpty);
+    table_.assign(std::bit_ceil(std::max<std::size_t>(expectedCorners / 3 * 2, 16)), kEmpty);
 }
 
 std::uint32_t VertexJoiner::add(std::uint32_t position, const float* attributes) {

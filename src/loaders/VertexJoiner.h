@@ -9,7 +9,7 @@ namespace walkcycle {
 // index: exporters repeat equal values) are one vertex.
 class VertexJoiner {
 public:
-    // `attributeCount` numbers per corner; `expectedCorners` is only a hint.
+    // `attributeCount` numbers per corner, one at least; `expectedCorners` is only a hint.
     VertexJoiner(std::size_t attributeCount, std::size_t expectedCorners);
 
     // The vertex of a corner. `attributes` points to attributeCount finite numbers.

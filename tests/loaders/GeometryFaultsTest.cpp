@@ -160,6 +160,14 @@ TEST(GeometryFaultsTest, aVertexInputThatNamesThePositionsIsUnderstood) {
     EXPECT_THAT(mesh.said(), ElementsAre("WC0207:5"));
 }
 
+TEST(GeometryFaultsTest, aVertexInputThatLeadsNowhereMeansTheMeshsOwn) {
+    const GeometryFixture mesh(vertices(kSquare) + "<triangles count=\"1\">" + input("VERTEX", "none", 0) +
+                               "<p>0 1 2</p></triangles>");
+
+    EXPECT_THAT(mesh.drawnPositions(), ElementsAre(0, 1, 2));
+    EXPECT_THAT(mesh.said(), ElementsAre("WC0201:5"));
+}
+
 TEST(GeometryFaultsTest, brokenReferencesLeaveTheRestToSee) {
     const GeometryFixture mesh(vertices(kSquare) + "<triangles count=\"1\">" + kVertex +
                                input("NORMAL", "none", 1) + "<p>0 0 1 0 2 0</p></triangles>");
