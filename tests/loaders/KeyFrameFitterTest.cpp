@@ -1,0 +1,173 @@
+#include <gmock/gmock.h>
+
+#include "loaders/AnimationText.h"
+#include "loaders/KeyFrameFitter.h"
+
+namespace walkcycle {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// The triangle is 1 by 1: its size is the square root of 2, and the default tolerance 1e-4 of that.
+constexpr double kAllowed = 1.5e-4;
+const char* const kTurn = "<rotate sid='r'>0 0 1 0</rotate>";
+
+Model boxMoved(const std::string& stack, const std::string& body) {
+    return loadText(boxWith(stack, animations(body)));
+}
+
+std::size_t keyCount(const Model& model) {
+    std::size_t count = 0;
+    for (const Channel& channel : model.animations.at(0).channels)
+        count += channel.keyFrames.size() + channel.matrixKeyFrames.size();
+    return count;
+}
+
+TEST(KeyFrameFitterTest, straightMotionKeepsTheFilesOwnKeys) {
+    const Model model =
+        boxMoved("<translate sid='t'>0 0 0</translate>", AnimationText{"box/t.X", "0 1 3", "0 4 5"}.text());
+    const Channel& channel = model.animations.at(0).channels.at(0);
+    ASSERT_THAT(channel.keyFrames, SizeIs(3));
+    EXPECT_THAT(channel.tangents, IsEmpty());
+    EXPECT_EQ(channel.keyFrames[1].seconds, 1.0);
+    EXPECT_EQ(channel.keyFrames[1].transform.position.x, 4.0f);
+}
+
+TEST(KeyFrameFitterTest, keysThatTheirNeighboursReproduceAreLeftOut) {
+    const Model model = boxMoved("<translate sid='t'>0 0 0</translate>",
+                                 AnimationText{"box/t.X", "0 1 2 3 4", "0 1 2 3 0"}.text());
+    EXPECT_EQ(keyCount(model), 3u);
+}
+
+TEST(KeyFrameFitterTest, aFullTurnInTwoKeysTurnsAllTheWay) {
+    for (const char* angles : {"0 360", "0 -360", "0 1440", "90 720"}) {
+        const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 2", angles}.text());
+        EXPECT_LT(largestError(model), kAllowed) << angles;
+    }
+}
+
+TEST(KeyFrameFitterTest, mixedEulerAnglesStayWithinTheTolerance) {
+    const std::string stack =
+        "<rotate sid='z'>0 0 1 0</rotate><rotate sid='y'>0 1 0 0</rotate><rotate sid='x'>1 0 0 0</rotate>";
+    const Model model = boxMoved(
+        stack,
+        AnimationText{.target = "box/z.ANGLE", .times = "0 1 2", .values = "0 70 -20", .id = "z"}.text() +
+            AnimationText{.target = "box/y.ANGLE", .times = "0 0.7 2", .values = "10 -50 60", .id = "y"}
+                .text() +
+            AnimationText{.target = "box/x.ANGLE", .times = "0 2", .values = "0 150", .id = "x"}.text());
+    EXPECT_LT(largestError(model), kAllowed);
+    EXPECT_LE(model.animations[0].achievedError, 1e-4f);
+    EXPECT_LT(keyCount(model), 60u) << "as many as 30 Hz";
+}
+
+TEST(KeyFrameFitterTest, smoothCurvesTakeFewerKeysThanThirtyAFrameRate) {
+    AnimationText swing{"box/r.ANGLE", "0 1 2 3 4", "0 40 0 -40 0"};
+    swing.interpolations = "BEZIER";
+    swing.outTangents = "0.33 0 1.33 40 2.33 0 3.33 -40 4.33 0";
+    swing.inTangents = "-0.33 0 0.67 40 1.67 0 2.67 -40 3.67 0";
+    const Model model = boxMoved(kTurn, swing.text());
+    EXPECT_LT(largestError(model), kAllowed);
+    EXPECT_LT(keyCount(model), 40u);
+}
+
+TEST(KeyFrameFitterTest, bakedKeysOfASmoothCurveBecomeFewer) {
+    std::string times, values;
+    for (int i = 0; i <= 120; ++i) {
+        times += std::to_string(i / 30.0) + " ";
+        values += std::to_string(30.0 * std::sin(i / 30.0)) + " ";
+    }
+    const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", times, values}.text());
+    EXPECT_LT(largestError(model), kAllowed);
+    EXPECT_LT(keyCount(model), 121u);
+}
+
+TEST(KeyFrameFitterTest, stepsStaySteps) {
+    AnimationText blink{"box/t.X", "0 1 2 3", "0 4 4 1"};
+    blink.interpolations = "STEP";
+    const Model model = boxMoved("<translate sid='t'>0 0 0</translate>", blink.text());
+    const std::vector<KeyFrame>& keys = model.animations.at(0).channels.at(0).keyFrames;
+    ASSERT_THAT(keys, SizeIs(3));
+    EXPECT_TRUE(keys[0].step && keys[1].step);
+    EXPECT_EQ(keyed(model, 0.999)[3].x, 0.0f);
+    EXPECT_EQ(keyed(model, 1.0)[3].x, 4.0f);
+    EXPECT_EQ(keyed(model, 3.0)[3].x, 1.0f);
+}
+
+TEST(KeyFrameFitterTest, aStepBesideALineJumpsWhereItSteps) {
+    AnimationText blink{
+        .target = "box/t.X", .times = "0 1 2", .values = "0 4 1", .interpolations = "STEP", .id = "x"};
+    const Model model = boxMoved(
+        "<translate sid='t'>0 0 0</translate>",
+        blink.text() + AnimationText{.target = "box/t.Y", .times = "0 2", .values = "0 2", .id = "y"}.text());
+    EXPECT_LT(largestError(model), kAllowed);
+    EXPECT_THAT(model.animations.at(0).channels.at(0).keyFrames, SizeIs(5));
+}
+
+TEST(KeyFrameFitterTest, stepsBetweenLinesAndCurvesKeepTheirKinds) {
+    AnimationText mixed{"box/r.ANGLE", "0 1 2 3", "0 90 -45 20"};
+    mixed.interpolations = "LINEAR STEP BEZIER LINEAR";
+    mixed.outTangents = "0 0 0 0 2.3 60 0 0";
+    mixed.inTangents = "0 0 0 0 0 0 2.9 -80";
+    const Model model = boxMoved(kTurn, mixed.text());
+    EXPECT_LT(largestError(model), kAllowed);
+}
+
+TEST(KeyFrameFitterTest, shearMirroringAndFlatteningBecomeMatrixKeys) {
+    const std::string sheared =
+        "<rotate sid='r'>0 0 1 0</rotate><scale sid='s'>3 1 1</scale><rotate>0 0 1 45</rotate>";
+    const Model shear = boxMoved(sheared, AnimationText{"box/s.Y", "0 1", "1 3"}.text());
+    EXPECT_THAT(shear.animations.at(0).channels.at(0).keyFrames, IsEmpty());
+    EXPECT_LT(largestError(shear), kAllowed);
+
+    const Model mirror =
+        boxMoved("<scale sid='s'>1 1 1</scale>", AnimationText{"box/s.X", "0 1", "1 -1"}.text());
+    EXPECT_THAT(mirror.animations.at(0).channels.at(0).matrixKeyFrames, SizeIs(2));
+    EXPECT_LT(largestError(mirror), kAllowed);
+
+    const Model grow = boxMoved(
+        std::string(kTurn) + "<scale sid='s'>1 1 1</scale>",
+        AnimationText{.target = "box/s", .times = "0 1", .values = "0 0 0 1 1 1", .params = "XYZ", .id = "s"}
+                .text() +
+            AnimationText{.target = "box/r.ANGLE", .times = "0 1", .values = "0 90", .id = "r"}.text());
+    EXPECT_LT(largestError(grow), kAllowed);
+}
+
+TEST(KeyFrameFitterTest, aConstantMirrorIsAJointTransform) {
+    const Model model = boxMoved("<rotate sid='r'>0 0 1 0</rotate><scale>1 1 -1</scale>",
+                                 AnimationText{"box/r.ANGLE", "0 1", "0 90"}.text());
+    EXPECT_THAT(model.animations.at(0).channels.at(0).matrixKeyFrames, IsEmpty());
+    EXPECT_LT(largestError(model), kAllowed);
+}
+
+TEST(KeyFrameFitterTest, aWiderToleranceTakesFewerKeys) {
+    AnimationText swing{"box/r.ANGLE", "0 1", "0 80"};
+    swing.interpolations = "CARDINAL";
+    swing.times = "0 1 1.2 3", swing.values = "0 80 -60 5";
+    const std::string text = boxWith(kTurn, animations(swing.text()));
+    LoadOptions loose;
+    loose.tolerance = 1e-2;
+    EXPECT_LT(keyCount(loadText(text, loose)), keyCount(loadText(text)));
+}
+
+TEST(KeyFrameFitterTest, manyMovingJointsShareTheTolerance) {
+    std::string open, close, channels;
+    for (int i = 0; i < 12; ++i) {
+        const std::string name = "j" + std::to_string(i);
+        open += "<node id='" + name + "'><translate>0 1 0</translate><rotate sid='r'>0 0 1 0</rotate>";
+        close += "</node>";
+        AnimationText bend{.target = name + "/r.ANGLE",
+                           .times = "0 1 2",
+                           .values = "0 25 0",
+                           .interpolations = "CARDINAL",
+                           .id = "a" + name};
+        channels += bend.text();
+    }
+    const Model model = loadText(collada(triangle() + animations(channels) +
+                                         scene(open + "<instance_geometry url='#mesh'/>" + close)));
+    EXPECT_LE(model.animations.at(0).achievedError, 1e-4f);
+    EXPECT_GT(model.animations.at(0).achievedError, 0.0f);
+}
+
+}  // namespace
+}  // namespace walkcycle
