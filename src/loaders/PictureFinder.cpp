@@ -17,6 +17,9 @@ constexpr std::array kUsualFolders = {"textures", "Textures", "texture", "Textur
                                       "maps",     "Maps",     "tex",     "materials/textures"};
 constexpr std::array kPictureEndings = {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".gif", ".psd", ".webp"};
 
+// How many pictures of the largest allowed size may be held at once.
+constexpr std::int64_t kMostPicturesOfFullSize = 4;
+
 bool isDrivePath(const std::string& path) {
     return path.size() > 1 && path[1] == ':';
 }
@@ -181,6 +184,17 @@ bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
     return !error && !fs::path(path).lexically_relative(folder).string().starts_with("..");
 }
 
+// Small files can hold large pictures, and a document can name many of them.
+std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const Bytes& bytes) {
+    const ImageLimits& limits = context_.options.limits.image;
+    auto image = std::make_shared<const Image>(decodeImage(bytes, limits));
+    const std::int64_t pixels = std::int64_t{image->width} * image->height;
+    if (pixels_ + pixels > kMostPicturesOfFullSize * limits.maxPixels)
+        throw ImageError("all pictures together have more pixels than the limits allow");
+    pixels_ += pixels;
+    return image;
+}
+
 PictureFinder::Picture PictureFinder::decode(XmlNode where, const std::string& name, File file) {
     Picture picture{file.path, nullptr};
     const auto known = images_.find(file.path);
@@ -190,8 +204,7 @@ PictureFinder::Picture PictureFinder::decode(XmlNode where, const std::string& n
         if (!looksLikePicture(file.bytes, file.path)) fault = "it does not begin as any kind of picture does";
     } else {
         try {
-            picture.image =
-                std::make_shared<const Image>(decodeImage(file.bytes, context_.options.limits.image));
+            picture.image = decodeWithinLimits(file.bytes);
         } catch (const ImageError& error) {
             fault = error.what();
         }

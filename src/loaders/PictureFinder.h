@@ -44,10 +44,12 @@ private:
     std::optional<File> read(XmlNode where, const std::string& path);
     bool mayBeInside(XmlNode where, const std::string& path) const;
     Picture decode(XmlNode where, const std::string& name, File file);
+    std::shared_ptr<const Image> decodeWithinLimits(const Bytes& bytes);
 
     const LoadContext& context_;
     std::map<std::pair<std::string, std::string>, Picture> pictures_;  // by document and URI
     std::map<std::string, std::shared_ptr<const Image>> images_;       // by path
+    std::int64_t pixels_ = 0;                                          // of all pictures together
 };
 
 }  // namespace walkcycle
