@@ -45,14 +45,16 @@ double bezierParameter(double a, double b, double c, double d, double seconds) {
 }
 
 Curve::Place Curve::placeOf(double seconds, Side side) const {
-    const bool early = seconds<start(), late = seconds> end();
+    const bool early = seconds < start();
+    const bool late = seconds > end();
     const double length = end() - start();
     const Infinity infinity = early ? before : after;
     if (!(early || late)) return {seconds, side};
     if (infinity == Infinity::Constant || !(length > 0.0))
-        return {early ? start() : end(), early ? Side::Right : side};
+        return {early ? start() : end(), early ? Side::Left : Side::Right};
     if (infinity == Infinity::Linear)
-        return {early ? start() : end(), side, 0.0, early ? seconds - start() : seconds - end()};
+        return {early ? start() : end(), early ? Side::Left : Side::Right, 0.0,
+                seconds - (early ? start() : end())};
 
     double cycle = std::floor((seconds - start()) / length);
     double within = std::clamp(seconds - start() - cycle * length, 0.0, length);
