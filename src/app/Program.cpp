@@ -48,7 +48,8 @@ void installSignalHandlers() {
 }
 
 std::vector<Command> allCommands() {
-    return {infoCommand(), checkCommand(), poseCommand(), compareCommand(), explainCommand()};
+    return {viewCommand(), renderCommand(),  infoCommand(),   checkCommand(),
+            poseCommand(), compareCommand(), explainCommand()};
 }
 
 bool isVerb(const std::vector<Command>& commands, const std::string& word) {

@@ -1,0 +1,54 @@
+#include "app/BorrowedClips.h"
+
+#include <unordered_map>
+
+namespace walkcycle {
+namespace {
+
+// Which joint of the model goes by each name; ids before names before sids.
+std::unordered_map<std::string, int> jointsByName(const Skeleton& skeleton) {
+    std::unordered_map<std::string, int> joints;
+    for (const std::string Joint::*name : {&Joint::id, &Joint::name, &Joint::sid})
+        for (std::size_t i = 0; i < skeleton.joints.size(); ++i)
+            if (!(skeleton.joints[i].*name).empty())
+                joints.emplace(skeleton.joints[i].*name, static_cast<int>(i));
+    return joints;
+}
+
+int counterpart(const Joint& joint, const std::unordered_map<std::string, int>& joints) {
+    for (const std::string* name : {&joint.id, &joint.name, &joint.sid})
+        if (const auto found = joints.find(*name); !name->empty() && found != joints.end())
+            return found->second;
+    return kNoParent;
+}
+
+void scaleDistances(Channel& channel, float scale) {
+    for (KeyFrame& key : channel.keyFrames) key.transform.position *= scale;
+    for (MatrixKeyFrame& key : channel.matrixKeyFrames)
+        key.matrix[3] = glm::vec4(glm::vec3(key.matrix[3]) * scale, 1.0f);
+}
+
+}  // namespace
+
+std::vector<Animation> borrowClips(const Model& source, const Model& model) {
+    const std::unordered_map<std::string, int> joints = jointsByName(model.skeleton);
+    const float scale = static_cast<float>(source.asset.metersPerUnit / model.asset.metersPerUnit);
+    std::vector<Animation> clips;
+    for (const Animation& clip : source.animations) {
+        Animation borrowed = clip;
+        borrowed.channels.clear();
+        borrowed.parameterTracks.clear();  // weights, lights and cameras are each file's own
+        for (const Channel& channel : clip.channels) {
+            const int joint =
+                counterpart(source.skeleton.joints[static_cast<std::size_t>(channel.joint)], joints);
+            if (joint == kNoParent) continue;
+            borrowed.channels.push_back(channel);
+            borrowed.channels.back().joint = joint;
+            if (scale != 1.0f) scaleDistances(borrowed.channels.back(), scale);
+        }
+        if (!borrowed.channels.empty()) clips.push_back(std::move(borrowed));
+    }
+    return clips;
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace walkcycle {
+
+// The names of the pictures of one call: "walk_{frame:04}.png" gives walk_0000.png, walk_0001.png, ...
+class FramePattern {
+public:
+    // Throws UsageError for a {frame...} that is not understood.
+    explicit FramePattern(const std::string& pattern);
+
+    bool hasFrame() const { return hasFrame_; }  // without one, it is the name of a single picture
+    std::string name(int frame) const;
+
+private:
+    std::string before_, after_;
+    bool hasFrame_ = false;
+    std::size_t digits_ = 1;
+};
+
+}  // namespace walkcycle

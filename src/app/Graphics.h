@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "platform/HeadlessContext.h"
+#include "platform/Window.h"
+
+namespace walkcycle {
+
+// An OpenGL context to draw pictures with: without a display (EGL), through a hidden window (GLFW), or whichever of
+// the two works. Throws NoGraphicsDevice.
+class Graphics {
+public:
+    explicit Graphics(const std::string& backend);  // "auto", "egl" or "glfw"
+
+    std::string description() const;
+
+private:
+    std::optional<HeadlessContext> headless_;
+    std::unique_ptr<Window> window_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/CameraChoice.h"
+#include "app/Clips.h"
+#include "app/Commands.h"
+#include "app/ExitCode.h"
+#include "app/FramePattern.h"
+#include "app/Graphics.h"
+#include "app/LoadArguments.h"
+#include "app/Numbers.h"
+#include "app/PictureFile.h"
+#include "app/Sheet.h"
+#include "app/Shots.h"
+#include "render/AnimatedModelRenderer.h"
+#include "render/Framebuffer.h"
+
+namespace walkcycle {
+namespace {
+
+constexpr int kMostPixelsASide = 32768;
+
+struct RenderArguments {
+    LoadArguments load;
+    ShotList shots;
+    CameraChoice camera;
+    RenderOptions look;
+    std::string file, output, clip, lights = "studio", background, backend = "auto";
+    std::pair<int, int> resolution{1280, 720};
+    int samples = 4;
+    bool noBackground = false, noGrid = false;
+};
+
+void declareLook(RenderArguments& options, Arguments& arguments) {
+    arguments.group("Look");
+    arguments.choice("--lights", {"studio", "file"},
+                     "Our own light, or the document's lights and materials as they are", options.lights);
+    arguments.option("--background", "#rrggbb", "One colour behind it all", options.background);
+    arguments.flag("--no-background", "Transparent: straight alpha", options.noBackground);
+    arguments.flag("--no-grid", "No ground", options.noGrid);
+    arguments.flag("--skeleton", "Joints on top", options.look.skeleton);
+    arguments.flag("--wireframe", "Edges on top", options.look.wireframe);
+    arguments.option(
+        "--samples", "N", "Samples per pixel, 1 to 64 (4); as many as the device has",
+        [&options](const std::string& text) { options.samples = parseInteger(text, "--samples", 1, 64); });
+}
+
+void declare(RenderArguments& options, Arguments& arguments) {
+    arguments.positional("FILE", "The document; - is standard input", options.file,
+                         Arguments::Need::Required);
+    arguments.option("--output,-o", "FILE",
+                     "out.png, out.webp, out_{frame:04}.png for several, or - (PNG to standard output)",
+                     options.output);
+    arguments.option("--resolution", "W,H", "Size of the picture in pixels (1280,720)",
+                     [&options](const std::string& text) {
+                         const char separator = text.find(',') == std::string::npos ? 'x' : ',';
+                         options.resolution = parsePair(text, separator, "--resolution", kMostPixelsASide);
+                     });
+    arguments.option("--clip", "NAME|N|all", "The clip to draw; `all` is the whole timeline", options.clip);
+    arguments.choice("--backend", {"auto", "egl", "glfw"},
+                     "Draw without a display, or through a hidden window", options.backend);
+    options.shots.declare(arguments);
+    options.camera.declare(arguments);
+    declareLook(options, arguments);
+    options.load.declare(arguments);
+    arguments.examples(
+        "  walkcycle render hero.dae -o hero.png --resolution 640,480\n"
+        "  walkcycle render hero.dae -o walk_{frame:04}.png --frames 0..23 --fps 24 --camera side\n"
+        "  walkcycle render hero.dae -o sheet.png --sheet 4x2 --skeleton\n"
+        "  walkcycle render hero.dae -o - --no-background | convert - hero.jpg\n");
+}
+
+RenderOptions lookOf(const RenderArguments& options) {
+    RenderOptions look = options.look;
+    look.lights = options.lights == "file" ? Lighting::File : Lighting::Studio;
+    look.grid = !options.noGrid && look.lights == Lighting::Studio;
+    if (!options.background.empty()) {
+        look.background = Background::Color;
+        look.backgroundColor = parseColor(options.background, "--background");
+    }
+    if (options.noBackground) look.background = Background::None;
+    return look;
+}
+
+// Everything that the command line alone can be wrong in, before the work begins.
+FramePattern checkedOutput(const RenderArguments& options) {
+    if (options.output.empty())
+        throw UsageError("where to? give --output picture.png, or - for standard output");
+    if (!isPictureName(options.output))
+        throw UsageError("--output: '" + options.output +
+                         "' is no picture that can be written: .png or .webp");
+    return FramePattern(options.output);
+}
+
+// Draws shots, each as large as asked for.
+class Photographer {
+public:
+    Photographer(const RenderArguments& options, AnimatedModel& model, int width, int height)
+        : options_(options),
+          model_(model),
+          look_(lookOf(options)),
+          picture_(width, height, options.samples) {}
+
+    Image take(const Shot& shot) {
+        model_.sampleAt(shot.documentSeconds);
+        renderer_.render(model_, options_.camera.camera(model_, picture_.aspect(), shot.turn), picture_,
+                         look_);
+        Image image = picture_.read();
+        if (look_.background != Background::None) image.hasAlpha = false;
+        return image;
+    }
+
+private:
+    const RenderArguments& options_;
+    AnimatedModel& model_;
+    RenderOptions look_;
+    AnimatedModelRenderer renderer_;
+    Framebuffer picture_;
+};
+
+void takeSheet(const RenderArguments& options, AnimatedModel& model, const std::vector<Shot>& shots,
+               const FramePattern& output) {
+    Sheet sheet(options.resolution, options.shots.sheet());
+    Photographer photographer(options, model, sheet.cellWidth(), sheet.cellHeight());
+    Progress progress("drawing", !options.load.quiet);
+    for (std::size_t i = 0; i < shots.size() && i < sheet.cellCount(); ++i) {
+        sheet.place(i, photographer.take(shots[i]));
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(shots.size()));
+    }
+    writePicture(output.name(0), sheet.image());
+}
+
+void takeAll(const RenderArguments& options, AnimatedModel& model, const std::vector<Shot>& shots,
+             const FramePattern& output) {
+    Photographer photographer(options, model, options.resolution.first, options.resolution.second);
+    Progress progress("drawing", !options.load.quiet);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        writePicture(output.name(static_cast<int>(i)), photographer.take(shots[i]));
+        progress.update(static_cast<double>(i + 1) / static_cast<double>(shots.size()));
+    }
+}
+
+int run(const RenderArguments& options) {
+    const FramePattern output = checkedOutput(options);
+    lookOf(options);
+    Model loaded = options.load.load(options.file);
+    options.camera.check(loaded);
+    const Animation* clip = findClip(loaded, options.clip);
+    const std::vector<Shot> shots = options.shots.shots(clip, options.clip);
+    if (shots.size() > 1 && !output.hasFrame() && !options.shots.isSheet())
+        throw UsageError("--output: " + std::to_string(shots.size()) +
+                         " pictures need a name with {frame} in it, or --sheet");
+
+    const Graphics graphics(options.backend);
+    if (options.load.verbose) printNote(graphics.description());
+    const int most = maxFramebufferSize();
+    if (std::max(options.resolution.first, options.resolution.second) > most)
+        throw UsageError("--resolution: this device draws at most " + std::to_string(most) +
+                         " pixels a side");
+    const auto number = clip ? clip - loaded.animations.data() : 0;
+    AnimatedModel model(std::move(loaded));
+    if (clip) model.doAnimation(model.animations()[static_cast<std::size_t>(number)]);
+    if (options.shots.isSheet())
+        takeSheet(options, model, shots, output);
+    else
+        takeAll(options, model, shots, output);
+    return kFine;
+}
+
+}  // namespace
+
+Command renderCommand() {
+    const auto options = std::make_shared<RenderArguments>();
+    return {"render", "Pictures of a model, also without a display",
+            [options](Arguments& arguments) { declare(*options, arguments); },
+            [options] { return run(*options); }};
+}
+
+}  // namespace walkcycle

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "io/Image.h"
+
+namespace walkcycle {
+
+// One picture made of several: columns by rows of equal cells, filled row by row. What does not divide evenly stays
+// empty at the right and the bottom.
+class Sheet {
+public:
+    // Throws UsageError where the cells would have no pixels.
+    Sheet(std::pair<int, int> size, std::pair<int, int> columnsAndRows);
+
+    int cellWidth() const { return cellWidth_; }
+    int cellHeight() const { return cellHeight_; }
+    std::size_t cellCount() const { return columns_ * rows_; }
+    void place(std::size_t cell, const Image& picture);
+    const Image& image() const { return image_; }
+
+private:
+    Image image_;
+    std::size_t columns_, rows_;
+    int cellWidth_, cellHeight_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,101 @@
+#include <memory>
+
+#include "app/BorrowedClips.h"
+#include "app/BuiltInModel.h"
+#include "app/Clips.h"
+#include "app/Commands.h"
+#include "app/ExitCode.h"
+#include "app/LoadArguments.h"
+#include "app/Numbers.h"
+#include "app/Viewer.h"
+#include "platform/NoGraphicsDevice.h"
+
+namespace walkcycle {
+namespace {
+
+struct ViewOptions {
+    LoadArguments load;
+    std::string file, loop = "loop", clip;
+    std::vector<std::string> animationFiles;
+    double time = 0.0, speed = 1.0;
+    bool watch = false, hasTime = false;
+    RenderOptions look;
+    std::string lights = "studio";
+};
+
+void declare(ViewOptions& options, Arguments& arguments) {
+    arguments.positional("FILE", "The document; without one, the built-in character", options.file,
+                         Arguments::Need::Optional);
+    arguments.options("--anim", "FILE", "Clips from another file with the same joint names; may be repeated",
+                      options.animationFiles);
+    arguments.option("--clip", "NAME|N", "The clip to begin with; `all` is the whole timeline", options.clip);
+    arguments.option("--time,-t", "S",
+                     "Begin there, in seconds of the document's timeline (of the clip with --clip)",
+                     [&options](const std::string& text) {
+                         options.time = parseNumber(text, "--time");
+                         options.hasTime = true;
+                     });
+    arguments.option("--speed", "X", "How fast; below zero backwards (1)",
+                     [&options](const std::string& text) { options.speed = parseNumber(text, "--speed"); });
+    arguments.choice("--loop", {"once", "loop", "pingpong"}, "What happens at the clip's end", options.loop);
+    arguments.flag("--watch", "Load the file again whenever it changes", options.watch);
+    arguments.choice("--lights", {"studio", "file"}, "Our own light, or the document's", options.lights);
+    arguments.flag("--skeleton", "Joints on top", options.look.skeleton);
+    arguments.flag("--wireframe", "Edges on top", options.look.wireframe);
+    options.load.declare(arguments);
+    arguments.examples(
+        std::string(
+            "  walkcycle hero.dae --watch\n"
+            "  walkcycle view hero.dae --anim run.dae --anim jump.dae --speed 0.5\n\nIn the window:\n") +
+        viewerHelp());
+}
+
+// The document with the clips of the other files behind its own.
+Model loadWithClips(const ViewOptions& options, const std::string& file) {
+    Model model = options.load.load(file);
+    for (const std::string& name : options.animationFiles) {
+        const std::vector<Animation> clips = borrowClips(options.load.load(name), model);
+        if (clips.empty()) throw UsageError("--anim: '" + name + "' moves no joint that '" + file + "' has");
+        model.animations.insert(model.animations.end(), clips.begin(), clips.end());
+    }
+    return model;
+}
+
+int run(const ViewOptions& options) {
+    ViewerSettings settings;
+    settings.file = options.file.empty() ? builtInModel() : options.file;
+    settings.clip = options.clip;
+    settings.look = options.look;
+    settings.look.lights = options.lights == "file" ? Lighting::File : Lighting::Studio;
+    settings.watch = options.watch;
+    settings.playback.speed = options.speed;
+    settings.playback.mode = options.loop == "once"       ? LoopMode::Once
+                             : options.loop == "pingpong" ? LoopMode::PingPong
+                                                          : LoopMode::Loop;
+    settings.load = [&options](const std::string& file) { return loadWithClips(options, file); };
+    Model first = loadWithClips(options, settings.file);
+    const Animation* clip = findClip(first, options.clip);
+    // Without --time a clip begins at its own start, wherever on the timeline that is.
+    settings.startTime =
+        options.hasTime || !clip ? options.time : clip->startSeconds - documentTime(0.0, clip, options.clip);
+    try {
+        Viewer viewer(std::move(settings), std::move(first));
+        viewer.run();
+    } catch (const NoGraphicsDevice& error) {
+        throw NoGraphicsDevice(std::string(error.what()) +
+                               "; without a display, draw a picture: walkcycle render " +
+                               (options.file.empty() ? builtInModel() : options.file) + " -o picture.png");
+    }
+    return kFine;
+}
+
+}  // namespace
+
+Command viewCommand() {
+    const auto options = std::make_shared<ViewOptions>();
+    return {"view", "A window that plays the model",
+            [options](Arguments& arguments) { declare(*options, arguments); },
+            [options] { return run(*options); }};
+}
+
+}  // namespace walkcycle
