@@ -15,7 +15,7 @@ int lineAt(std::string_view text, std::size_t offset) {
 }
 
 std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
-    if (bytes.empty()) diagnostics.fail(Code::NotXml, file, 0, {"the file is empty"});
+    if (bytes.empty()) diagnostics.fail(Code::NotXml, file, 1, {"the file is empty"});
     try {
         bool guessed = false;
         std::string text = toUtf8(std::move(bytes), &guessed);
@@ -26,10 +26,16 @@ std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostic
     }
 }
 
-// What tinyxml2 would take in silence: text after a zero byte, and entities in a DOCTYPE.
+// XML 1.0, section 2.2: of the control characters only tab, line feed and carriage return may stand in a document.
+bool isForbidden(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r'; }
+
+// What tinyxml2 would take in silence: text after a zero byte, control characters, and entities in a DOCTYPE.
 void refuseTricks(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
         diagnostics.fail(Code::NotXml, file, lineAt(text, zero), {"a zero byte in the text"});
+    const auto control = std::find_if(text.begin(), text.end(), isForbidden);
+    if (control != text.end())
+        diagnostics.report(Code::ControlCharacter, file, lineAt(text, static_cast<std::size_t>(control - text.begin())), {});
     const std::size_t doctype = text.find("<!DOCTYPE");
     const std::size_t root = text.find("<COLLADA");
     if (doctype == std::string::npos || doctype > root) return;
@@ -71,6 +77,8 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
     parse(diagnostics);
     root_ = XmlNode(xml_->RootElement(), this);
     if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
+    if (const XmlNode second = root_.nextSibling())
+        diagnostics.fail(Code::NotXml, second, {"a second root element, <" + std::string(second.name()) + ">"});
     if (!root_.is("COLLADA")) diagnostics.fail(Code::NotCollada, root_, {std::string(root_.name())});
     indexIds(diagnostics, limits);
 }

@@ -59,7 +59,8 @@ public:
     // The same for a reference that must be there: reports WC0201 / WC0207 and gives nothing where it does not lead to
     // an element of that name (empty: any). `attribute` names where the URI stands ("url", "source"); the element's
     // text for "".
-    XmlNode follow(const XmlNode& from, const char* attribute, std::string_view elementName);
+    XmlNode follow(const XmlNode& from, const char* attribute, std::string_view elementName,
+                   Severity severity = Severity::Error);
 
     // Reads a file beside the document (a picture): archive member, resolver or disk. Empty optional: not there.
     // `path` is as the URI gave it, decoded, relative to the document's folder or absolute. foundPath names what was read.

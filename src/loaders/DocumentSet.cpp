@@ -33,7 +33,7 @@ struct DocumentSet::Impl {
             surroundings.useArchive(std::move(archive));
             return add(std::move(document), member);
         } catch (const ArchiveError& error) {
-            diagnostics.fail(Code::ArchiveBroken, file, 0, {error.what()});
+            diagnostics.fail(Code::ArchiveBroken, file, 1, {error.what()});
         }
     }
 
@@ -103,19 +103,20 @@ XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri, Severity
     return document ? document->byId(parts.fragment) : XmlNode();
 }
 
-XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::string_view elementName) {
+XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::string_view elementName,
+                            Severity severity) {
     const std::string uri = *attribute ? std::string(from.attribute(attribute)) : from.text();
     if (uri.empty() && *attribute && !from.has(attribute)) {
-        impl_->diagnostics.report(Code::MissingAttribute, from, {std::string(from.name()), attribute});
+        impl_->diagnostics.report(severity, Code::MissingAttribute, from, {std::string(from.name()), attribute});
         return {};
     }
-    const XmlNode target = resolve(from, uri);
+    const XmlNode target = resolve(from, uri, severity);
     if (!target) {
-        impl_->diagnostics.report(Code::UnresolvedReference, from, {std::string(from.name()), uri});
+        impl_->diagnostics.report(severity, Code::UnresolvedReference, from, {std::string(from.name()), uri});
         return {};
     }
     if (!elementName.empty() && !target.is(elementName)) {
-        impl_->diagnostics.report(Code::WrongElement, from, {std::string(from.name()), uri, std::string(target.name()),
+        impl_->diagnostics.report(severity, Code::WrongElement, from, {std::string(from.name()), uri, std::string(target.name()),
                                                              std::string(elementName)});
         return {};
     }

@@ -135,7 +135,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
 void SamplerReader::readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys) {
     keys.interpolations.assign(keys.times.size(), Interpolation::Linear);
     bool isIdref = false;
-    const auto names = source ? context_.sources.names(source, isIdref) : nullptr;
+    const auto names = source ? context_.sources.names(source, isIdref, Severity::Warning) : nullptr;
     if (!names || names->count() == 0) {
         context_.diagnostics.report(Code::InterpolationMissing, sampler, {samplerName(sampler)});
         return;

@@ -38,14 +38,14 @@ std::optional<std::uint64_t> readCount(XmlNode node, const char* attribute, Diag
     return std::nullopt;
 }
 
-void checkArrayCount(XmlNode array, std::size_t held, Diagnostics& diagnostics) {
+void checkArrayCount(XmlNode array, std::size_t held, Severity miscounted, Diagnostics& diagnostics) {
     if (!array.has("count")) {
         diagnostics.report(Code::MissingAttribute, array, {std::string(array.name()), "count"});
         return;
     }
     const std::optional<std::uint64_t> count = readCount(array, "count", diagnostics);
     if (count && *count != held)
-        diagnostics.report(Code::CountMismatch, array,
+        diagnostics.report(miscounted, Code::CountMismatch, array,
                            {std::string(array.name()), std::to_string(*count), "values", std::to_string(held)});
 }
 
@@ -171,14 +171,15 @@ struct SourceReader::Impl {
     std::unordered_map<XmlNode, std::shared_ptr<const NameSource>> names;
 
     template <typename T, typename Read>
-    std::shared_ptr<const Source<T>> read(XmlNode source, bool isArray(std::string_view), Read readArray) {
+    std::shared_ptr<const Source<T>> read(XmlNode source, bool isArray(std::string_view), Read readArray,
+                                          Severity miscounted = Severity::Error) {
         const XmlNode array = findArray(source, documents, diagnostics, isArray);
         if (!array) {
             diagnostics.report(Code::MissingElement, source, {"source", "float_array or Name_array of the kind that is needed"});
             return nullptr;
         }
         std::vector<T> values = readArray(array);
-        checkArrayCount(array, values.size(), diagnostics);
+        checkArrayCount(array, values.size(), miscounted, diagnostics);
         Layout layout = readLayout(source, values.size(), diagnostics);
         auto result = std::make_shared<Source<T>>();
         result->width = layout.columns.size();
@@ -211,10 +212,10 @@ std::shared_ptr<const DoubleSource> SourceReader::doubles(XmlNode source, Number
     return entry->second;
 }
 
-std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref) {
+std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref, Severity miscounted) {
     isIdref = static_cast<bool>(source.child("IDREF_array"));
     const auto [entry, isNew] = impl_->names.try_emplace(source);
-    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readNames);
+    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readNames, miscounted);
     return entry->second;
 }
 
@@ -235,7 +236,9 @@ std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostic
             (*attribute == 'o' ? input.offset : input.set) = number;
         }
         input.hasSet = element.has("set");
-        input.source = documents.follow(element, "source", {});
+        // Without interpolations everything still moves, on straight lines.
+        const bool canDoWithout = input.semantic == "INTERPOLATION";
+        input.source = documents.follow(element, "source", {}, canDoWithout ? Severity::Warning : Severity::Error);
         inputs.push_back(std::move(input));
     }
     return inputs;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "loaders/XmlNode.h"
+#include "model/Diagnostic.h"
 
 namespace walkcycle {
 
@@ -45,7 +46,8 @@ public:
     // Null where there is nothing usable.
     std::shared_ptr<const FloatSource> floats(XmlNode source, Numbers numbers);
     std::shared_ptr<const DoubleSource> doubles(XmlNode source, Numbers numbers);
-    std::shared_ptr<const NameSource> names(XmlNode source, bool& isIdref);
+    std::shared_ptr<const NameSource> names(XmlNode source, bool& isIdref,
+                                            Severity miscounted = Severity::Error);
 
 private:
     struct Impl;
