@@ -84,8 +84,8 @@ struct AnimatedModelRenderer::Impl {
     FileLights lights;
     BufferTexture lightTexture{GL_RGBA32F};
     std::vector<Draw> solid, seeThrough;
-    std::optional<BackgroundRenderer> background;  // each is made when it is first needed
-    std::optional<GridRenderer> grid;
+    BackgroundRenderer background;
+    std::optional<GridRenderer> grid;  // each is made when it is first needed
     std::optional<SkeletonRenderer> skeleton;
     struct Wireframe {
         ShaderProgram program{{{"animatedModelVertex"}, {"flatFragment"}}};
@@ -243,8 +243,7 @@ void AnimatedModelRenderer::render(const AnimatedModel& model, const Camera& cam
 
 void AnimatedModelRenderer::clear(const RenderTarget& target, const RenderOptions& options) {
     const bool encodesItself = startDrawingTo(target);
-    if (!impl_->background) impl_->background.emplace();
-    impl_->background->render(options, encodesItself);
+    impl_->background.render(options, encodesItself);
 }
 
 void AnimatedModelRenderer::draw(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,

@@ -4,13 +4,7 @@
 
 namespace walkcycle {
 
-BackgroundRenderer::BackgroundRenderer()
-    : program_({{"backgroundVertex"}, {"backgroundFragment"}}),
-      top_(program_.uniform("top")),
-      bottom_(program_.uniform("bottom")),
-      encodesItself_(program_.uniform("encodesItself")) {}
-
-void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself) const {
+void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself) {
     const glm::vec3& wanted = options.backgroundColor;
     const glm::vec3 color = encodesItself ? wanted : linearOfSrgb(wanted);
     const bool transparent = options.background == Background::None;
@@ -22,11 +16,13 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (options.background != Background::Gradient) return;
 
-    program_.start();
-    setUniform(top_, glm::vec3(0.60f, 0.63f, 0.67f));
-    setUniform(bottom_, glm::vec3(0.80f, 0.80f, 0.79f));
-    setUniform(encodesItself_, encodesItself ? 1 : 0);
-    noInputs_.bind();
+    if (!gradient_) gradient_.emplace();
+    const ShaderProgram& program = gradient_->program;
+    program.start();
+    setUniform(program.uniform("top"), glm::vec3(0.60f, 0.63f, 0.67f));
+    setUniform(program.uniform("bottom"), glm::vec3(0.80f, 0.80f, 0.79f));
+    setUniform(program.uniform("encodesItself"), encodesItself ? 1 : 0);
+    gradient_->noInputs.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLES, 0, 3);

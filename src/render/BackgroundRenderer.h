@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "render/RenderOptions.h"
 #include "render/ShaderProgram.h"
 #include "render/Vao.h"
@@ -9,14 +11,14 @@ namespace walkcycle {
 // Fills the picture before anything is drawn: with a soft gradient, a colour, or nothing.
 class BackgroundRenderer {
 public:
-    BackgroundRenderer();
-
-    void render(const RenderOptions& options, bool encodesItself) const;
+    void render(const RenderOptions& options, bool encodesItself);
 
 private:
-    ShaderProgram program_;
-    Vao noInputs_;
-    GLint top_, bottom_, encodesItself_;
+    struct Gradient {
+        ShaderProgram program{{{"backgroundVertex"}, {"backgroundFragment"}}};
+        Vao noInputs;
+    };
+    std::optional<Gradient> gradient_;  // made when first needed
 };
 
 }  // namespace walkcycle

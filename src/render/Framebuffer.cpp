@@ -25,10 +25,20 @@ GLuint newRenderbuffer(GLenum format, int width, int height, int samples) {
     return id;
 }
 
+GLuint newMultisampleTexture(int width, int height, int samples) {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_SRGB8_ALPHA8, width, height, GL_TRUE);
+    return id;
+}
+
 int maxSamples() {
-    GLint samples = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &samples);
-    return samples;
+    GLint forColor = 0, forDepth = 0;
+    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &forColor);
+    glGetIntegerv(GL_MAX_SAMPLES, &forDepth);
+    return std::min(forColor, forDepth);
 }
 
 void attach(GLenum attachment, GLuint renderbuffer) {
@@ -66,35 +76,53 @@ void flipRows(std::vector<std::uint8_t>& rgba, std::size_t rowBytes) {
 
 }  // namespace
 
-Framebuffer::Framebuffer(int width, int height, int samples) : drawn_(newFramebuffer()) {
+Framebuffer::Resolver::Resolver(int width, int height)
+    : framebuffer(newFramebuffer()),
+      color(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0)),
+      program({{"backgroundVertex"}, {"resolveFragment"}}) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    attach(GL_COLOR_ATTACHMENT0, color.id());
+    requireComplete(width, height);
+}
+
+Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newFramebuffer()) {
     if (width < 1 || height < 1 || width > maxFramebufferSize() || height > maxFramebufferSize()) {
         throw std::runtime_error("a picture here is at least 1 and at most " +
                                  std::to_string(maxFramebufferSize()) + " pixels wide and high");
     }
-    samples_ = std::clamp(samples, 0, maxSamples());
-    target_ = {drawn_.id(), width, height};
-    color_ = Renderbuffer(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, samples_));
-    depth_ = Renderbuffer(newRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples_));
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-    attach(GL_COLOR_ATTACHMENT0, color_.id());
+    samples_ = std::clamp(samples, 1, maxSamples());
+    target_ = {framebuffer_.id(), width, height};
+    depth_ = Renderbuffer(newRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples_ > 1 ? samples_ : 0));
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     attach(GL_DEPTH_ATTACHMENT, depth_.id());
+    if (samples_ > 1) {
+        samplesTexture_ = GlObject<gl::deleteTexture>(newMultisampleTexture(width, height, samples_));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
+                               samplesTexture_.id(), 0);
+    } else {
+        color_ = Renderbuffer(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0));
+        attach(GL_COLOR_ATTACHMENT0, color_.id());
+    }
     requireComplete(width, height);
-    if (samples_ == 0) return;
-    resolved_ = GlObject<gl::deleteFramebuffer>(newFramebuffer());
-    resolvedColor_ = Renderbuffer(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0));
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-    attach(GL_COLOR_ATTACHMENT0, resolvedColor_.id());
-    requireComplete(width, height);
+    if (samples_ > 1) resolver_.emplace(width, height);
 }
 
 void Framebuffer::resolve() const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
-    if (samples_ == 0) return;
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-    glDisable(GL_SCISSOR_TEST);
-    glEnable(GL_FRAMEBUFFER_SRGB);  // samples are averaged as light, not as bytes
-    glBlitFramebuffer(0, 0, width(), height(), 0, 0, width(), height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+    if (!resolver_) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+        return;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, resolver_->framebuffer.id());
+    glViewport(0, 0, width(), height());
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    for (const GLenum state : {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(state);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samplesTexture_.id());
+    resolver_->program.start();
+    resolver_->program.setSampler("samples", 0);
+    setUniform(resolver_->program.uniform("sampleCount"), samples_);
+    resolver_->noInputs.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 Image Framebuffer::read() const {

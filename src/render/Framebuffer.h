@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include "io/Image.h"
 #include "render/GlObject.h"
 #include "render/RenderTarget.h"
+#include "render/ShaderProgram.h"
+#include "render/Vao.h"
 
 namespace walkcycle {
 
@@ -33,8 +37,21 @@ private:
     void resolve() const;
 
     using Renderbuffer = GlObject<gl::deleteRenderbuffer>;
-    GlObject<gl::deleteFramebuffer> drawn_, resolved_;
-    Renderbuffer color_, depth_, resolvedColor_;
+    // What a multisampled picture is resolved with. Our own shader, because the one that software OpenGL makes for
+    // glBlitFramebuffer is compiled anew in each process, for 50 ms.
+    struct Resolver {
+        Resolver(int width, int height);
+
+        GlObject<gl::deleteFramebuffer> framebuffer;
+        Renderbuffer color;
+        ShaderProgram program;
+        Vao noInputs;
+    };
+
+    GlObject<gl::deleteFramebuffer> framebuffer_;
+    GlObject<gl::deleteTexture> samplesTexture_;  // the colours, where there are several a pixel
+    Renderbuffer color_, depth_;
+    std::optional<Resolver> resolver_;
     RenderTarget target_;
     int samples_ = 0;
 };

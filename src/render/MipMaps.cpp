@@ -77,6 +77,14 @@ void averageOpaqueRow(const std::uint8_t* upper, const std::uint8_t* lower, std:
     }
 }
 
+// Many pictures have an alpha channel and do not use it.
+bool isOpaque(const Image& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        if (image.rgba[i] != 255) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Image halved(const Image& image, TexelKind kind) {
@@ -84,10 +92,10 @@ Image halved(const Image& image, TexelKind kind) {
     Image half;
     half.width = std::max(1, image.width / 2);
     half.height = std::max(1, image.height / 2);
-    half.hasAlpha = image.hasAlpha;
+    half.hasAlpha = image.hasAlpha && !isOpaque(image);
     const auto width = static_cast<std::size_t>(half.width), height = static_cast<std::size_t>(half.height);
     const auto sourceWidth = static_cast<std::size_t>(image.width);
-    const bool fast = !image.hasAlpha && image.width % 2 == 0 && image.height % 2 == 0;
+    const bool fast = !half.hasAlpha && image.width % 2 == 0 && image.height % 2 == 0;
     half.rgba.resize(width * height * 4);
     for (std::size_t y = 0; y < height; ++y) {
         std::uint8_t* out = &half.rgba[y * width * 4];

@@ -4,11 +4,11 @@ uniform vec3 keyDirection;   // towards each light, in model space
 uniform vec3 fillDirection;
 uniform vec3 rimDirection;
 
-const vec3 KEY = vec3(0.74, 0.71, 0.67);
-const vec3 FILL = vec3(0.17, 0.19, 0.22);
-const vec3 RIM = vec3(0.16, 0.17, 0.18);
-const vec3 SKY = vec3(0.27, 0.28, 0.30);
-const vec3 GROUND = vec3(0.13, 0.12, 0.11);
+const vec3 KEY = vec3(0.72, 0.69, 0.65);
+const vec3 FILL = vec3(0.11, 0.125, 0.145);
+const vec3 RIM = vec3(0.18, 0.19, 0.20);
+const vec3 SKY = vec3(0.20, 0.21, 0.23);
+const vec3 GROUND = vec3(0.11, 0.10, 0.09);
 
 // Light that reaches a little round the edge, as from a large lamp.
 float soft(vec3 normal, vec3 light) { return max((dot(normal, light) + 0.25) / 1.25, 0.0); }
