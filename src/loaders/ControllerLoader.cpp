@@ -117,7 +117,9 @@ void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets
         if (!target) context_.diagnostics.report(Code::UnresolvedReference, names->element, {"source", name});
         morphedPositions_ += base.mesh.positions.size();
         context_.require(morphedPositions_, context_.options.limits.maxVertices, "number of morphed positions", morph);
-        result.targets.push_back(makeMorphTarget(base, target ? meshes_.load(target) : base, result.method, name));
+        static const LoadedMesh kNothing;  // a target that is not there moves nothing
+        const LoadedMesh& shape = target ? meshes_.load(target) : kNothing;
+        result.targets.push_back(makeMorphTarget(base, shape, result.method, name));
     }
 }
 

@@ -41,11 +41,15 @@ std::vector<glm::vec3> normalsByPosition(const LoadedMesh& base, const LoadedMes
 std::vector<glm::vec3> normalsByShape(const LoadedMesh& base, const std::vector<glm::vec3>& positionDeltas) {
     std::vector<glm::vec3> deformed = base.mesh.positions;
     for (std::size_t i = 0; i < deformed.size(); ++i) deformed[i] += positionDeltas[i];
-    const std::vector<glm::vec3> before = smoothNormals(base.faces, base.mesh.positions, base.mesh.positions);
+    std::vector<glm::vec3> before;  // where the base has none of its own, they are what it was given
+    if (base.hasNormals) before = smoothNormals(base.faces, base.mesh.positions, base.mesh.positions);
     const std::vector<glm::vec3> after = smoothNormals(base.faces, base.mesh.positions, deformed);
     std::vector<glm::vec3> deltas(base.mesh.vertexCount(), glm::vec3(0.0f));
-    for (std::size_t c = 0; c < base.cornerVertices.size(); ++c)
-        if (base.cornerVertices[c] != kNoVertex) deltas[base.cornerVertices[c]] = after[c] - before[c];
+    for (std::size_t c = 0; c < base.cornerVertices.size(); ++c) {
+        const std::uint32_t vertex = base.cornerVertices[c];
+        if (vertex != kNoVertex)
+            deltas[vertex] = after[c] - (base.hasNormals ? before[c] : base.mesh.normals[vertex]);
+    }
     return deltas;
 }
 

@@ -8,8 +8,8 @@
 
 namespace walkcycle {
 
-// Faces that meet at a sharper angle than this keep an edge between them. Measured on characters that do have normals
-// (docs/collada-notes.md): rounder limits blunt boxes and belts, narrower ones show the facets of low-polygon limbs.
+// Faces that meet at a sharper angle than this keep an edge between them. Of all limits it comes nearest to the normals
+// of files that do have some (docs/collada-notes.md): more turns boxes round, less shows the facets of slim limbs.
 inline constexpr float kCreaseAngleDegrees = 80.0f;
 
 // Normals for a mesh that has none, one per corner of the file: the mean of the faces that meet there, each weighted
