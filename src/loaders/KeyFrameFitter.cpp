@@ -66,6 +66,15 @@ public:
     }
     bool fits() const { return fits_; }
 
+    // Looks at the knots and between them, so that no keys are sought for what will not fit.
+    bool fits(const std::vector<double>& knots) {
+        for (std::size_t i = 1; i < knots.size() && fits_; ++i) {
+            at(knots[i - 1], Side::Right);
+            at(0.5 * (knots[i - 1] + knots[i]), Side::Right);
+        }
+        return fits_;
+    }
+
 private:
     const JointMotion& motion_;
     const Tolerance& tolerance_;
@@ -107,10 +116,11 @@ void append(ParameterTrack& track, const RunFitter<StraightNumber>::Keys& keys, 
         track.keyFrames.push_back({keys.times[i], static_cast<float>(keys.values[i]), isStep});
 }
 
-// Fits every run in one form. `exact(seconds, side)` gives the motion.
+// Fits every run in one form. `exact(seconds, side)` gives the motion. False where the limit came before the tolerance.
 template <typename Form, typename Exact, typename Target>
-void fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& tolerance, bool isStraight,
+bool fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& tolerance, bool isStraight,
              std::size_t limit, Target& target) {
+    bool isWithin = true;
     for (const Run& run : runs) {
         const double end = run.knots.back();
         const auto within = [&](double seconds) {
@@ -118,8 +128,11 @@ void fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& toleran
         };
         const std::vector<double> first{run.knots.front()};
         RunFitter<Form> fitter(within, tolerance, isStraight, limit);
-        append(target, fitter.fit(run.isStep ? first : run.knots), run.isStep);
+        const auto keys = fitter.fit(run.isStep ? first : run.knots);
+        append(target, keys, run.isStep);
+        isWithin = isWithin && keys.isWithin;
     }
+    return isWithin;
 }
 
 Channel fitMatrices(const JointMotion& motion, const std::vector<Run>& runs, const Tolerance& tolerance,
@@ -143,14 +156,17 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
     TransformOf transform(motion, tolerance);
     const auto exact = [&](double seconds, Side side) { return transform.at(seconds, side); };
 
+    if (!motion.isStraight() && !transform.fits(knots)) return fitMatrices(motion, runs, tolerance, limit);
     Channel straight{.joint = motion.joint};
-    const std::size_t fewEnough = std::min(limit, 4 * knots.size() + 64);
-    fitRuns<StraightTransform>(runs, exact, tolerance, motion.isStraight(), fewEnough, straight);
-    if (transform.fits() && straight.keyFrames.size() > knots.size()) {
+    const bool byNumber = motion.isStraightByNumber();  // then matrices need no more keys than the file has
+    const std::size_t fewEnough = std::min(limit, byNumber ? knots.size() + 1 : 2 * knots.size() + 32);
+    const bool enough =
+        fitRuns<StraightTransform>(runs, exact, tolerance, motion.isStraight(), fewEnough, straight);
+    if (byNumber && !enough) return fitMatrices(motion, runs, tolerance, limit);
+    if (transform.fits() && (!enough || straight.keyFrames.size() > knots.size())) {
         Channel curved{.joint = motion.joint};
-        fitRuns<CurvedTransform>(runs, exact, tolerance, false, std::min(limit, fewEnough), curved);
-        const bool gaveUp = straight.keyFrames.size() >= fewEnough;
-        if (transform.fits() && (gaveUp || 2 * curved.keyFrames.size() < straight.keyFrames.size()))
+        fitRuns<CurvedTransform>(runs, exact, tolerance, false, limit, curved);
+        if (transform.fits() && (!enough || 2 * curved.keyFrames.size() < straight.keyFrames.size()))
             return curved;
     }
     return transform.fits() ? straight : fitMatrices(motion, runs, tolerance, limit);

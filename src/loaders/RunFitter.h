@@ -19,6 +19,7 @@ public:
         std::vector<double> times;
         std::vector<Value> values;  // one per time
         std::vector<Form> pieces;   // one between each two
+        bool isWithin = true;       // the tolerance; false where the limit came first
     };
 
     // `exact` gives the motion's value at any time of the run. `isStraight`: it is known to go in this very form
@@ -50,8 +51,9 @@ private:
             const Sample start = samples_[nodes_.back()], stop{end, exact_(end)};
             std::vector<Sample> probes;
             const double strayed = isStraight_ ? 0.0 : probe(start, stop, probes);
-            if (strayed > kShare * tolerance_.budget && depth < kDeepest &&
-                nodes_.size() + ends.size() < limit_) {
+            const bool maySplit = depth < kDeepest && nodes_.size() + ends.size() < limit_;
+            isWithin_ = isWithin_ && (maySplit || strayed <= tolerance_.budget);
+            if (strayed > kShare * tolerance_.budget && maySplit) {
                 ends.back().second = depth + 1;
                 ends.emplace_back(0.5 * (start.seconds + end), depth + 1);
                 continue;
@@ -76,7 +78,7 @@ private:
 
     // From each key to the farthest node that one piece can reach: by doubling strides, then halving.
     Keys leaveOut() {
-        Keys keys{{samples_.front().seconds}, {samples_.front().value}, {}};
+        Keys keys{{samples_.front().seconds}, {samples_.front().value}, {}, isWithin_};
         const std::size_t last = nodes_.size() - 1;
         for (std::size_t a = 0; a < last;) {
             std::size_t good = a + 1, bad = last + 1;
@@ -126,6 +128,7 @@ private:
     bool isStraight_;
     std::size_t limit_;
     std::vector<Sample> samples_;
+    bool isWithin_ = true;
     std::vector<std::size_t> nodes_;  // indices of the samples that may become keys
 };
 

@@ -38,6 +38,13 @@ Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const c
     return Infinity::Constant;
 }
 
+XmlNode ownSource(XmlNode input) {
+    std::string_view id = input.attribute("source");
+    if (id.starts_with('#')) id.remove_prefix(1);
+    const XmlNode source = input.document().byId(id);
+    return source.is("source") ? source : XmlNode();
+}
+
 bool needsTangents(Interpolation i) {
     return i == Interpolation::Bezier || i == Interpolation::Hermite;
 }
@@ -97,12 +104,14 @@ int SamplerReader::read(XmlNode sampler) {
 bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
     XmlNode input, output, interpolation, inTangent, outTangent;
     bool named[2] = {false, false};
-    for (const Input& i : readInputs(sampler, context_.documents, context_.diagnostics)) {
-        if (i.semantic == "INPUT") input = i.source, named[0] = true;
-        if (i.semantic == "OUTPUT") output = i.source, named[1] = true;
-        if (i.semantic == "INTERPOLATION") interpolation = i.source;
-        if (i.semantic == "IN_TANGENT") inTangent = i.source;
-        if (i.semantic == "OUT_TANGENT") outTangent = i.source;
+    for (XmlNode i : sampler.children("input")) {
+        const std::string_view semantic = i.attribute("semantic");
+        if (semantic == "INPUT") input = context_.documents.follow(i, "source", "source"), named[0] = true;
+        if (semantic == "OUTPUT") output = context_.documents.follow(i, "source", "source"), named[1] = true;
+        // The rest has a substitute, so that a dangling reference is no error here.
+        if (semantic == "INTERPOLATION") interpolation = ownSource(i);
+        if (semantic == "IN_TANGENT") inTangent = ownSource(i);
+        if (semantic == "OUT_TANGENT") outTangent = ownSource(i);
     }
     for (int i = 0; i < 2; ++i)
         if (!named[i])

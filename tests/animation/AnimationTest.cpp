@@ -92,5 +92,30 @@ TEST(AnimationTest, tracksOfParametersNobodyAskedForAreLeftOut) {
     sample(clip, 0.0, pose, {});
 }
 
+// x(t) = t^3 on [0, 2]: its slopes are 0 and 12 per second.
+TEST(AnimationTest, keysWithTangentsGoOnCubicCurves) {
+    Channel channel{.keyFrames = {{0.0, {}}, {2.0, {.position = {8.0f, 0.0f, 0.0f}}}}, .tangents = {{}, {}}};
+    channel.tangents[1].in.position.x = 12.0f;
+
+    for (const double t : {0.0, 0.5, 1.0, 1.7}) EXPECT_NEAR(sample(channel, t).position.x, t * t * t, 1e-5);
+    EXPECT_EQ(sample(channel, 7.0).position.x, 8.0f);
+}
+
+TEST(AnimationTest, curvedRotationsStayOfUnitLength) {
+    const glm::quat turned = glm::angleAxis(1.5f, glm::vec3(0, 0, 1));
+    Channel channel{.keyFrames = {{0.0, {}}, {1.0, {.rotation = turned}}}, .tangents = {{}, {}}};
+    channel.tangents[0].out.rotation = glm::quat(0.0f, 0.5f, 0.0f, 0.7f);
+
+    EXPECT_NEAR(glm::length(sample(channel, 0.4).rotation), 1.0f, 1e-6f);
+    EXPECT_NEAR(glm::dot(sample(channel, 1.0).rotation, turned), 1.0f, 1e-6f);
+}
+
+TEST(AnimationTest, aStepHoldsAlsoBetweenCurves) {
+    const Channel channel{.keyFrames = {{0.0, raised(1.0f), true}, {1.0, raised(5.0f)}},
+                          .tangents = {{}, {}}};
+
+    EXPECT_EQ(sample(channel, 0.9).position.y, 1.0f);
+}
+
 }  // namespace
 }  // namespace walkcycle

@@ -71,6 +71,16 @@ TEST(KeyFrameFitterTest, smoothCurvesTakeFewerKeysThanThirtyAFrameRate) {
     EXPECT_LT(keyCount(model), 40u);
 }
 
+TEST(KeyFrameFitterTest, curvesGetKeysWhereTheyAreSteep) {
+    AnimationText snap{"box/t.X", "0 1", "0 4"};
+    snap.interpolations = "BEZIER";
+    snap.outTangents = "0.99 0 0 0";
+    snap.inTangents = "0 0 0.01 4";
+    const Model model = boxMoved("<translate sid='t'>0 0 0</translate>", snap.text());
+    EXPECT_LT(largestError(model), kAllowed);
+    EXPECT_LE(model.animations[0].achievedError, 1e-4f);
+}
+
 TEST(KeyFrameFitterTest, bakedKeysOfASmoothCurveBecomeFewer) {
     std::string times, values;
     for (int i = 0; i <= 120; ++i) {
