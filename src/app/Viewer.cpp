@@ -8,6 +8,7 @@
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
 #include "app/Numbers.h"
+#include "loaders/Diagnostics.h"
 
 namespace walkcycle {
 namespace {
@@ -67,12 +68,12 @@ void Viewer::reload() {
     const std::string clipName = clip() ? clip()->name : "";
     try {
         model_ = std::make_unique<AnimatedModel>(settings_.load(settings_.file));
-    } catch (const std::exception& error) {
-        printError("kept the model as it was: " + std::string(error.what()));
-        return;
+    } catch (const LoadError&) {  // said already
+        return printNote("kept the model as it was");
     } catch (const StrictFailure&) {
-        printError("kept the model as it was: --strict");
-        return;
+        return printNote("kept the model as it was");
+    } catch (const std::exception& error) {
+        return printError("kept the model as it was: " + std::string(error.what()));
     }
     std::size_t number = 0;
     for (std::size_t i = 0; i < model_->animations().size(); ++i)
