@@ -16,6 +16,8 @@ endforeach()
 if(TARGET walkcycle)
     install(TARGETS walkcycle RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()
+file(GLOB characters "${PROJECT_SOURCE_DIR}/res/walker*.dae" "${PROJECT_SOURCE_DIR}/res/walker*.png")
+install(FILES ${characters} DESTINATION "${CMAKE_INSTALL_DATADIR}/walkcycle")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 install(EXPORT walkcycle NAMESPACE walkcycle:: FILE walkcycle-targets.cmake DESTINATION "${package_folder}")

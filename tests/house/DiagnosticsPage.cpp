@@ -1,0 +1,107 @@
+#include "DiagnosticsPage.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "model/Diagnostic.h"
+
+namespace walkcycle::house {
+namespace {
+
+struct Row {
+    int number;
+    const char* name;
+    Severity severity;
+    const char* text;
+    const char* cause;
+    const char* cure;
+};
+
+const Row kCatalogue[] = {
+#define WC_CODE(number, name, severity, text, cause, cure) \
+    {number, #name, Severity::severity, text, cause, cure},
+#include "loaders/DiagnosticCodes.inc"
+#undef WC_CODE
+};
+
+std::string idOf(const Row& row) {  // 207: "WC0207"
+    return "WC" + std::to_string(10000 + row.number).substr(1);
+}
+
+const char* severityName(Severity severity) {
+    switch (severity) {
+        case Severity::Info:
+            return "info";
+        case Severity::Warning:
+            return "warning";
+        case Severity::Error:
+            return "error";
+    }
+    return "";
+}
+
+// The first two digits of a code say what it is about.
+std::string chapterOf(const std::string& id) {
+    static const std::map<std::string, std::string> chapters{
+        {"01", "The document as a whole"},
+        {"02", "References, sources, numbers"},
+        {"03", "Geometry"},
+        {"04", "Skins and morphs"},
+        {"05", "Animation"},
+        {"06", "Materials and pictures"},
+        {"07", "The scene"},
+        {"08", "Limits"},
+        {"09", "Outside the file"},
+    };
+    const auto chapter = chapters.find(id.substr(2, 2));
+    return chapter == chapters.end() ? "Others" : chapter->second;
+}
+
+// {0} stands for something of the file.
+std::string withDots(std::string text) {
+    for (std::size_t at; (at = text.find('{')) != std::string::npos;)
+        text.replace(at, text.find('}', at) - at + 1, "…");
+    return text;
+}
+
+// Keeps <element> from being taken for HTML.
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string diagnosticsPage() {
+    std::string page =
+        "# What Walkcycle says about a file\n\n"
+        "Messages have the form `file:line: severity code: text (cure)`. An error means that something of "
+        "the file is "
+        "lost or wrong in the picture; a warning, that Walkcycle had to guess; an info, that something is "
+        "unusual and "
+        "handled. `walkcycle explain WC0201` prints an entry of this page.\n\n"
+        "This page is made from `src/loaders/DiagnosticCodes.inc`; do not edit it.\n";
+    std::string chapter;
+    std::vector<Row> rows(std::begin(kCatalogue), std::end(kCatalogue));
+    std::ranges::sort(rows, {}, &Row::number);
+    for (const Row& row : rows) {
+        const std::string id = idOf(row);
+        if (chapterOf(id) != chapter) page += "\n## " + (chapter = chapterOf(id)) + "\n";
+        page += "\n### " + id + " " + row.name + "\n\n";
+        page += "*" + std::string(severityName(row.severity)) + "*: " + escaped(withDots(row.text)) + "\n\n";
+        page += escaped(row.cause) + "\n\n";
+        page += "Cure: " + escaped(row.cure) + ".\n";
+    }
+    return page;
+}
+
+}  // namespace walkcycle::house

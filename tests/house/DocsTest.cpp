@@ -1,0 +1,79 @@
+#include <filesystem>
+#include <regex>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "DiagnosticsPage.h"
+#include "SourceTree.h"
+
+using namespace walkcycle::house;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+namespace {
+
+std::vector<std::string> allMatches(const std::string& text, const std::regex& pattern) {
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+        found.push_back((*match)[1]);
+    }
+    return found;
+}
+
+// A page's prose: what stands between fences is code.
+std::string prose(const std::string& page) {
+    std::string text;
+    bool inFence = false;
+    for (const std::string& line : splitLines(page)) {
+        if (line.starts_with("```")) inFence = !inFence;
+        if (!inFence) text += line + '\n';
+    }
+    return text;
+}
+
+std::vector<std::string> pages() {
+    auto files = filesBelow("docs", {".md"});
+    for (const char* page : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}) files.emplace_back(page);
+    return files;
+}
+
+}  // namespace
+
+TEST(DocsTest, diagnosticsPageIsWhatTheCatalogueSays) {
+    const auto file = root() / "docs/diagnostics.md";
+    if (updatesDocs()) writeText(file, diagnosticsPage());
+    EXPECT_EQ(readText(file), diagnosticsPage()) << "run the tests with UPDATE_DOCS=1";
+}
+
+TEST(DocsTest, everyLinkWithinTheDocsLeadsToAFile) {
+    const std::regex link(R"(\]\(([^)#]+)(?:#[^)]*)?\))");
+    for (const std::string& page : pages()) {
+        const auto folder = (root() / page).parent_path();
+        for (const std::string& target : allMatches(prose(readText(root() / page)), link)) {
+            if (target.find("://") != std::string::npos) continue;
+            EXPECT_TRUE(std::filesystem::exists(folder / target)) << page << " links to " << target;
+        }
+    }
+}
+
+TEST(DocsTest, theJavaMapCoversAllClassesAndNamesFilesThatExist) {
+    const std::string page = readText(root() / "docs/java-to-cpp.md");
+    const auto classes = allMatches(page, std::regex(R"(\n\| `(\w+)` \|)"));
+    EXPECT_THAT(classes, SizeIs(59));
+    EXPECT_THAT(std::set<std::string>(classes.begin(), classes.end()),
+                SizeIs(58));  // two are called AnimationLoader
+    for (const std::string& file :
+         allMatches(page, std::regex("`((?:src|tests|res|scripts|docs|examples)/[^`]*)`"))) {
+        EXPECT_TRUE(std::filesystem::exists(root() / file)) << "docs/java-to-cpp.md names " << file;
+    }
+}
+
+TEST(DocsTest, filesThatThePagesNameExist) {
+    const std::regex named("`((?:src|tests|res|scripts|docs|examples|cmake)/[A-Za-z0-9_./-]+\\.[a-z]+)`");
+    for (const std::string& page : pages()) {
+        for (const std::string& file : allMatches(prose(readText(root() / page)), named)) {
+            EXPECT_TRUE(std::filesystem::exists(root() / file)) << page << " names " << file;
+        }
+    }
+}
