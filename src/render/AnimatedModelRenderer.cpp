@@ -19,6 +19,9 @@ namespace {
 
 using Pass = AnimatedModelShader::Pass;
 
+// Dark, and thin enough that a dense mesh does not turn black; linear light, premultiplied.
+constexpr glm::vec4 kEdges{0.008f, 0.009f, 0.011f, 0.55f};
+
 // A framebuffer of ours turns light into sRGB by itself; a window's may not, and then the shaders do.
 bool mustEncode(const RenderTarget& target) {
     const GLenum attachment = target.framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0;
@@ -194,9 +197,10 @@ void AnimatedModelRenderer::Impl::drawWireframe(const Scene& scene) {
     program.start();
     setUniform(program.uniform("viewProjection"), scene.camera.viewProjection());
     setUniform(program.uniform("encodesItself"), scene.encodesItself ? 1 : 0);
-    setUniform(program.uniform("flatColor"), glm::vec4(0.012f, 0.014f, 0.018f, 1.0f));
+    setUniform(program.uniform("flatColor"), kEdges);
     glEnable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     for (const auto* draws : {&solid, &seeThrough}) {
         for (const Draw& draw : *draws) {
@@ -209,6 +213,7 @@ void AnimatedModelRenderer::Impl::drawWireframe(const Scene& scene) {
         }
     }
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_BLEND);
 }
 
 void AnimatedModelRenderer::Impl::drawModel(const Scene& scene, bool withGrid) {

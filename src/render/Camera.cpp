@@ -14,7 +14,7 @@ namespace walkcycle {
 namespace {
 
 constexpr float kFramingFovDegrees = 30.0f;  // long enough to keep a body's proportions
-constexpr float kRoom = 1.08f;               // the picture is larger than what it frames
+constexpr float kRoom = 1.05f;               // the picture is larger than what it frames
 constexpr double kMinFov = 1e-3, kMaxFov = 179.0;
 
 std::array<glm::vec3, 8> corners(const Bounds& bounds) {
