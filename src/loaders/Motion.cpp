@@ -88,8 +88,7 @@ glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
             if (values != moved.data()) moved = stack[e].values;
             values = moved.data();
             b.curve->evaluate(seconds, side, numbers);
-            std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(b.component), b.count,
-                        moved.begin() + static_cast<std::ptrdiff_t>(b.first));
+            for (std::size_t i = 0; i < b.count; ++i) moved[b.first + i] = b.scale * numbers[b.component + i];
         }
         product = product * matrixOf(stack[e].kind, values);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "loaders/AssetReader.h"
+
 namespace walkcycle {
 
 namespace {
@@ -82,7 +84,30 @@ void MotionBuilder::bindNode(XmlNode channel, const ChannelTarget& target, int c
         binding.first = part->first;
         binding.count = part->count;
         binding.channel = channelCount() - 1;
-        jointBindings_.push_back({joint->second, curve, binding});
+        bindInOwnSpace(channel, *element, joint->second, curve, binding);
+    }
+}
+
+// An <asset> on the <animation> may speak another unit and other axes than the document: what it calls Z moves Y there.
+void MotionBuilder::bindInOwnSpace(XmlNode channel, const TransformElement& element, int joint, int curve,
+                                   const CurveBinding& binding) {
+    const XmlNode collada = channel.document().root();
+    const glm::dmat4 conversion = assetConversion(channel, collada, model_.asset, collada);
+    if (element.kind != TransformElement::Kind::Translate || conversion == glm::dmat4(1.0)) {
+        jointBindings_.push_back({joint, curve, binding});
+        return;
+    }
+    for (std::size_t i = 0; i < binding.count; ++i) {
+        const int from = static_cast<int>(binding.first + i);
+        CurveBinding part = binding;
+        part.component = binding.component + i;
+        part.count = 1;
+        for (int to = 0; to < 3; ++to) {
+            if (conversion[from][to] == 0.0) continue;  // the axes are swapped, never mixed
+            part.first = static_cast<std::size_t>(to);
+            part.scale = conversion[from][to];
+            jointBindings_.push_back({joint, curve, part});
+        }
     }
 }
 

@@ -35,6 +35,8 @@ private:
         ParameterMotion::Binding binding;
     };
     void bindNode(XmlNode channel, const ChannelTarget& target, int curve);
+    void bindInOwnSpace(XmlNode channel, const TransformElement& element, int joint, int curve,
+                        const CurveBinding& binding);
     void bindParameters(XmlNode channel, const ChannelTarget& target, int curve);
     void addJoints(Motion& motion, const std::function<bool(int, int)>& together);
     void addParameters(Motion& motion);

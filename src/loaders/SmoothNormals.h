@@ -8,9 +8,10 @@
 
 namespace walkcycle {
 
-// Faces that meet at a sharper angle than this keep an edge between them. Of all limits it comes nearest to the normals
-// of files that do have some (docs/collada-notes.md): more turns boxes round, less shows the facets of slim limbs.
-inline constexpr float kCreaseAngleDegrees = 80.0f;
+// Faces that meet at a sharper angle than this keep an edge between them: a limb of five sides (72 degrees
+// between two) is still round, a box (90) and the sides of a steep pyramid are not. Measured on meshes that do
+// have normals (docs/collada-notes.md): wider limits blunt boxes and belts, narrower ones show facets.
+inline constexpr float kCreaseAngleDegrees = 75.0f;
 
 // Normals for a mesh that has none, one per corner of the file: the mean of the faces that meet there, each weighted
 // by its angle (the polygon's, before it is cut into triangles, so that the cut leaves no trace). Positions of equal
