@@ -45,7 +45,7 @@ void Arguments::flag(const std::string& names, const std::string& help, bool& ta
 }
 
 void Arguments::examples(const std::string& text) {
-    app_.footer("\nExamples:\n" + text);
+    app_.footer("Examples:\n" + text.substr(0, text.find_last_not_of('\n') + 1));
 }
 
 }  // namespace walkcycle

@@ -25,7 +25,7 @@ constexpr const char* kAbout =
     "the file, and "
     "renders.";
 constexpr const char* kExamples =
-    "\nA bare FILE means `view`; without one, the built-in character walks.\n"
+    "A bare FILE means `view`; without one, the built-in character walks.\n"
     "\nExamples:\n"
     "  walkcycle                                 the built-in character, in a window\n"
     "  walkcycle hero.dae                        yours\n"

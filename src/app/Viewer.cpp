@@ -14,6 +14,7 @@ namespace walkcycle {
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
+constexpr double kSpeedStep = 1.25;
 constexpr double kSecondsPerFrame = 1.0 / 60.0;
 constexpr double kLongestFrame = 0.25;  // after a pause of the system, go on rather than jump
 
@@ -118,57 +119,53 @@ void Viewer::drag(double x, double y) {
 }
 
 void Viewer::key(int pressed, int modifiers) {
-    RenderOptions& look = settings_.look;
     changed_ = true;
+    if (playbackKey(pressed, modifiers) || lookKey(pressed, modifiers)) return;
+    if (pressed == KeyEnter) camera_.frame(model_->bounds(), aspect());
+    if (pressed == 'H') printNote(std::string("the window's keys\n") + viewerHelp());
+    if (pressed == 'Q' || pressed == KeyEscape) window_.close();
+}
+
+bool Viewer::playbackKey(int pressed, int modifiers) {
+    const std::size_t count = std::max<std::size_t>(1, model_->animations().size());
     switch (pressed) {
         case KeySpace:
             if (playback_.atEnd())
-                playback_.start(clip() ? clip()->lengthInSeconds() : 0.0);
+                playClip(clip_, 0.0);
             else
                 playback_.paused = !playback_.paused;
-            break;
+            return true;
         case KeyComma:
             playback_.step(-1);
-            break;
+            return true;
         case KeyPeriod:
             playback_.step(+1);
-            break;
+            return true;
         case KeyMinus:
-            playback_.speed /= 1.25;
-            break;
+            playback_.speed /= kSpeedStep;
+            return true;
         case KeyEqual:
-            playback_.speed *= 1.25;
-            break;
+            playback_.speed *= kSpeedStep;
+            return true;
         case KeyHome:
             playClip(clip_, 0.0);
-            break;
-        case KeyEnter:
-            camera_.frame(model_->bounds(), aspect());
-            break;
-        case KeyTab: {
-            const std::size_t count = std::max<std::size_t>(1, model_->animations().size());
+            return true;
+        case KeyTab:
             playClip((clip_ + ((modifiers & ModShift) ? count - 1 : 1)) % count, 0.0);
-            break;
-        }
-        case 'A':
-            if (modifiers & ModShift) look.skeleton = !look.skeleton;
-            break;
-        case 'E':
-            look.wireframe = !look.wireframe;
-            break;
-        case 'G':
-            look.grid = !look.grid;
-            break;
-        case 'H':
-            printNote(std::string("the window's keys\n") + viewerHelp());
-            break;
-        case 'Q':
-        case KeyEscape:
-            window_.close();
-            break;
+            return true;
         default:
-            break;
+            return false;
     }
+}
+
+bool Viewer::lookKey(int pressed, int modifiers) {
+    RenderOptions& look = settings_.look;
+    bool* option = pressed == 'A' && (modifiers & ModShift) ? &look.skeleton
+                   : pressed == 'E'                         ? &look.wireframe
+                   : pressed == 'G'                         ? &look.grid
+                                                            : nullptr;
+    if (option) *option = !*option;
+    return option != nullptr;
 }
 
 void Viewer::draw() {

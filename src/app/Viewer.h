@@ -33,7 +33,9 @@ public:
 
 private:
     void listen();
-    void key(int key, int modifiers);
+    void key(int pressed, int modifiers);
+    bool playbackKey(int pressed, int modifiers);  // these two: whether it was theirs
+    bool lookKey(int pressed, int modifiers);
     void drag(double x, double y);
 
     void playClip(std::size_t number, double seconds);
