@@ -3,6 +3,11 @@
 #include "render/Srgb.h"
 
 namespace walkcycle {
+namespace {
+
+constexpr glm::vec3 kTop{0.60f, 0.63f, 0.67f}, kBottom{0.80f, 0.80f, 0.79f};  // sRGB
+
+}  // namespace
 
 void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself) {
     const glm::vec3& wanted = options.backgroundColor;
@@ -19,9 +24,8 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
     if (!gradient_) gradient_.emplace();
     const ShaderProgram& program = gradient_->program;
     program.start();
-    setUniform(program.uniform("top"), glm::vec3(0.60f, 0.63f, 0.67f));
-    setUniform(program.uniform("bottom"), glm::vec3(0.80f, 0.80f, 0.79f));
-    setUniform(program.uniform("encodesItself"), encodesItself ? 1 : 0);
+    setUniform(program.uniform("top"), encodesItself ? kTop : linearOfSrgb(kTop));
+    setUniform(program.uniform("bottom"), encodesItself ? kBottom : linearOfSrgb(kBottom));
     gradient_->noInputs.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

@@ -31,10 +31,14 @@ struct Tables {
     }
 };
 
+template <TexelKind kind>
+const Tables& tablesOf() {
+    static const auto instance = std::make_unique<const Tables>(kind);
+    return *instance;
+}
+
 const Tables& tables(TexelKind kind) {
-    static const auto color = std::make_unique<Tables>(TexelKind::Color);
-    static const auto data = std::make_unique<Tables>(TexelKind::Data);
-    return kind == TexelKind::Color ? *color : *data;
+    return kind == TexelKind::Color ? tablesOf<TexelKind::Color>() : tablesOf<TexelKind::Data>();
 }
 
 // The texels [first, last) of a row or column that the smaller picture's texel `i` covers: two, or three at
