@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <exception>
+#include <future>
 #include <memory>
+#include <optional>
 
 #include "app/CameraChoice.h"
 #include "app/Clips.h"
@@ -12,6 +15,7 @@
 #include "app/PictureFile.h"
 #include "app/Sheet.h"
 #include "app/Shots.h"
+#include "platform/NoGraphicsDevice.h"
 #include "render/AnimatedModelRenderer.h"
 #include "render/Framebuffer.h"
 
@@ -140,10 +144,38 @@ void takeAll(const RenderArguments& options, AnimatedModel& model, const std::ve
     }
 }
 
+// The device is opened while the file is read: both take their time, and neither needs the other. What is wrong
+// with the file is said first.
+class Opening {
+public:
+    explicit Opening(const RenderArguments& options) {
+        auto loading = std::async(std::launch::async, [&options] { return options.load.load(options.file); });
+        try {
+            graphics_.emplace(options.backend);
+        } catch (const NoGraphicsDevice&) {
+            noDevice_ = std::current_exception();
+        }
+        model = loading.get();
+    }
+
+    const Graphics& graphics() const {
+        if (noDevice_) std::rethrow_exception(noDevice_);
+        return *graphics_;
+    }
+
+private:
+    std::optional<Graphics> graphics_;
+    std::exception_ptr noDevice_;
+
+public:
+    Model model;
+};
+
 int run(const RenderArguments& options) {
     const FramePattern output = checkedOutput(options);
     lookOf(options);
-    Model loaded = options.load.load(options.file);
+    Opening opening(options);
+    Model& loaded = opening.model;
     options.camera.check(loaded);
     const Animation* clip = findClip(loaded, options.clip);
     const std::vector<Shot> shots = options.shots.shots(clip, options.clip);
@@ -151,7 +183,7 @@ int run(const RenderArguments& options) {
         throw UsageError("--output: " + std::to_string(shots.size()) +
                          " pictures need a name with {frame} in it, or --sheet");
 
-    const Graphics graphics(options.backend);
+    const Graphics& graphics = opening.graphics();
     if (options.load.verbose) printNote(graphics.description());
     const int most = maxFramebufferSize();
     if (std::max(options.resolution.first, options.resolution.second) > most)
