@@ -1,5 +1,7 @@
 #include "loaders/ColladaLoader.h"
 
+#include <tinyxml2.h>
+
 #include "loaders/AnimationLoader.h"
 #include "loaders/AssetReader.h"
 #include "loaders/ControllerLoader.h"
@@ -17,12 +19,29 @@ void checkVersion(XmlNode collada, const LoadContext& context) {
         context.diagnostics.report(Code::UnknownVersion, collada, {version});
 }
 
+// Which schema address stands there changes nothing about how the document is read.
+void checkNamespace(XmlNode collada, const LoadContext& context) {
+    const std::string qualified = collada.element()->Name();
+    const std::size_t colon = qualified.find(':');
+    const std::string attribute =
+        colon == std::string::npos ? "xmlns" : "xmlns:" + qualified.substr(0, colon);
+    const std::string_view schema = collada.attribute(attribute.c_str());
+    if (schema.empty() || schema == "http://www.collada.org/2005/11/COLLADASchema" ||
+        schema == "http://www.collada.org/2008/03/COLLADASchema")
+        return;
+    context.diagnostics.report(Code::WrongNamespace, collada, {std::string(schema)});
+}
+
 // One drawn mesh: an <instance_geometry>, or an <instance_controller> with the mesh beneath its deformers.
 class InstanceLoader {
 public:
-    InstanceLoader(const LoadContext& context, MeshLibrary& meshes, ControllerLoader& controllers, MaterialLoader& materials,
-                   Model& model)
-        : context_(context), meshes_(meshes), controllers_(controllers), materials_(materials), model_(model) {}
+    InstanceLoader(const LoadContext& context, MeshLibrary& meshes, ControllerLoader& controllers,
+                   MaterialLoader& materials, Model& model)
+        : context_(context),
+          meshes_(meshes),
+          controllers_(controllers),
+          materials_(materials),
+          model_(model) {}
 
     void add(const SceneGraph::Instance& source) {
         MeshInstance instance;
@@ -33,10 +52,11 @@ public:
                                      : context_.documents.follow(source.element, "url", "geometry");
         if (!geometry) return;
         const MeshData& mesh = meshes_.load(geometry).mesh;
-        vertices_ += mesh.vertexCount();
+        vertices_ += mesh.vertexCount() + mesh.parts.size();  // a part without vertices costs memory as well
         const LoadLimits& limits = context_.options.limits;
         context_.require(vertices_, limits.maxVertices, "number of vertices", source.element);
-        context_.require(model_.instances.size() + 1, limits.maxInstances, "number of drawn meshes", source.element);
+        context_.require(model_.instances.size() + 1, limits.maxInstances, "number of drawn meshes",
+                         source.element);
         instance.mesh = meshes_.drawn(geometry);
         instance.materials = materials_.bind(source.element, mesh);
         model_.instances.push_back(std::move(instance));
@@ -58,6 +78,7 @@ void report(const LoadContext& context, double done) {
 // The page of the file format: each library in the order in which the next one needs it.
 void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     checkVersion(collada, context);
+    checkNamespace(collada, context);
     model.asset = readAsset(collada, context);
     if (context.options.convert)
         model.skeleton.rootTransform = glm::mat4(toMetresYUp(model.asset.metersPerUnit, model.asset.upAxis));
@@ -108,11 +129,13 @@ Model load(const std::string& file, const LoadOptions& options, Open open) {
 }  // namespace
 
 Model loadCollada(const std::string& path, const LoadOptions& options) {
-    return load(path, options, [&](DocumentSet& set) -> const ColladaDocument& { return set.openFile(path); });
+    return load(path, options,
+                [&](DocumentSet& set) -> const ColladaDocument& { return set.openFile(path); });
 }
 
 Model loadCollada(std::span<const std::uint8_t> bytes, const std::string& name, const LoadOptions& options) {
-    return load(name, options, [&](DocumentSet& set) -> const ColladaDocument& { return set.openMemory(bytes, name); });
+    return load(name, options,
+                [&](DocumentSet& set) -> const ColladaDocument& { return set.openMemory(bytes, name); });
 }
 
 }  // namespace walkcycle

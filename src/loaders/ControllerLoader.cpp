@@ -14,11 +14,12 @@ XmlNode skinOrMorph(XmlNode controller) {
 
 }  // namespace
 
-XmlNode ControllerLoader::followToGeometry(XmlNode controller, std::vector<XmlNode>& chain) {
+XmlNode ControllerLoader::followToGeometry(XmlNode from, XmlNode controller, std::vector<XmlNode>& chain) {
     XmlNode element = controller;
     while (element.is("controller")) {
         if (std::find(chain.begin(), chain.end(), element) != chain.end()) {
-            context_.diagnostics.report(Code::ReferenceLoop, element, {"controller", std::string(element.id())});
+            context_.diagnostics.report(Code::ReferenceLoop, element,
+                                        {"controller", std::string(element.id())});
             return {};
         }
         chain.push_back(element);
@@ -27,12 +28,13 @@ XmlNode ControllerLoader::followToGeometry(XmlNode controller, std::vector<XmlNo
             context_.diagnostics.report(Code::ControllerEmpty, element, {std::string(element.id())});
             return {};
         }
+        from = deformer;
         element = context_.documents.follow(deformer, "source", {});
     }
     if (element && !element.is("geometry")) {
-        context_.diagnostics.report(Code::WrongElement, skinOrMorph(chain.back()),
-                                    {std::string(skinOrMorph(chain.back()).name()), std::string(element.id()),
-                                     std::string(element.name()), "geometry"});
+        context_.diagnostics.report(
+            Code::WrongElement, from,
+            {std::string(from.name()), std::string(element.id()), std::string(element.name()), "geometry"});
         return {};
     }
     return element;
@@ -41,7 +43,7 @@ XmlNode ControllerLoader::followToGeometry(XmlNode controller, std::vector<XmlNo
 XmlNode ControllerLoader::load(const SceneGraph::Instance& source, MeshInstance& instance) {
     const XmlNode controller = context_.documents.follow(source.element, "url", {});
     std::vector<XmlNode> chain;
-    const XmlNode geometry = followToGeometry(controller, chain);
+    const XmlNode geometry = followToGeometry(source.element, controller, chain);
     if (!geometry) return {};
     for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
         Deformer deformer;
@@ -57,11 +59,16 @@ XmlNode ControllerLoader::load(const SceneGraph::Instance& source, MeshInstance&
     return geometry;
 }
 
-bool ControllerLoader::skin(XmlNode controller, XmlNode geometry, const SceneGraph::Instance& source, Deformer& deformer) {
+bool ControllerLoader::skin(XmlNode controller, XmlNode geometry, const SceneGraph::Instance& source,
+                            Deformer& deformer) {
     auto& [usable, data] = skins_[controller];
     if (!data.skin)
-        usable = loadSkin(controller.child("skin"), meshes_.load(geometry).mesh.positions.size(), context_, model_, data);
+        usable = loadSkin(controller.child("skin"), meshes_.load(geometry).mesh.positions.size(), context_,
+                          model_, data);
     if (!usable) return false;
+    boundJoints_ += data.jointNames.size() + 1;
+    context_.require(boundJoints_, context_.options.limits.maxSkinJoints, "number of joints of all skins",
+                     source.element);
     deformer.index = static_cast<int>(model_.skins.size());
     deformer.influences = data.influences;
     model_.skins.push_back(bindSkin(data, source, joints_, skeletons_.scene(), context_, model_.asset));
@@ -69,13 +76,15 @@ bool ControllerLoader::skin(XmlNode controller, XmlNode geometry, const SceneGra
 }
 
 int ControllerLoader::morph(XmlNode controller, XmlNode geometry) {
-    const auto [known, isNew] = targets_.morphs.try_emplace(controller, static_cast<int>(model_.morphs.size()));
+    const auto [known, isNew] =
+        targets_.morphs.try_emplace(controller, static_cast<int>(model_.morphs.size()));
     const int index = known->second;
     if (!isNew) return index;
     const XmlNode element = controller.child("morph");
     MorphTargets result;
     result.id = controller.id();
-    result.method = element.attribute("method") == "RELATIVE" ? MorphMethod::Relative : MorphMethod::Normalized;
+    result.method =
+        element.attribute("method") == "RELATIVE" ? MorphMethod::Relative : MorphMethod::Normalized;
     result.firstParameter = static_cast<int>(model_.parameters.size());
     std::vector<float> weights;
     readTargets(element, geometry, result, weights);
@@ -89,26 +98,30 @@ int ControllerLoader::morph(XmlNode controller, XmlNode geometry) {
 XmlNode ControllerLoader::targetGeometry(XmlNode element) {
     if (!element.is("controller")) return element.is("geometry") ? element : XmlNode();
     std::vector<XmlNode> chain;
-    return followToGeometry(element, chain);
+    return followToGeometry(element, element, chain);
 }
 
-void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets& result, std::vector<float>& weights) {
+void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets& result,
+                                   std::vector<float>& weights) {
     const XmlNode targets = morph.child("targets");
     if (!targets) context_.diagnostics.report(Code::MissingElement, morph, {"morph", "targets"});
     std::shared_ptr<const NameSource> names;
     for (const Input& input : readInputs(targets, context_.documents, context_.diagnostics)) {
         bool isIdref = false;
-        if (input.semantic == "MORPH_TARGET" && input.source) names = context_.sources.names(input.source, isIdref);
+        if (input.semantic == "MORPH_TARGET" && input.source)
+            names = context_.sources.names(input.source, isIdref);
         if (input.semantic != "MORPH_WEIGHT" || !input.source) continue;
-        if (const auto source = context_.sources.floats(input.source, Numbers::Error)) weights = source->values;
+        if (const auto source = context_.sources.floats(input.source, Numbers::Error))
+            weights = source->values;
         const int index = static_cast<int>(model_.morphs.size());
         targets_.morphs.emplace(input.source, index);
         for (XmlNode array : input.source.children("float_array")) targets_.morphs.emplace(array, index);
     }
     const std::size_t count = names ? names->values.size() : 0;
     if (count != weights.size())
-        context_.diagnostics.report(Code::MorphTargetsMismatch, targets ? targets : morph,
-                                    {std::to_string(count), std::to_string(weights.size()), std::to_string(count)});
+        context_.diagnostics.report(
+            Code::MorphTargetsMismatch, targets ? targets : morph,
+            {std::to_string(count), std::to_string(weights.size()), std::to_string(count)});
     weights.resize(count);
     const LoadedMesh& base = meshes_.load(geometry);
     for (std::size_t t = 0; t < count; ++t) {

@@ -21,8 +21,8 @@ public:
     XmlNode load(const SceneGraph::Instance& source, MeshInstance& instance);
 
 private:
-    // The controllers from the outermost to the one on the geometry.
-    XmlNode followToGeometry(XmlNode controller, std::vector<XmlNode>& chain);
+    // The controllers from the outermost to the one on the geometry. `from` refers to the outermost; for messages.
+    XmlNode followToGeometry(XmlNode from, XmlNode controller, std::vector<XmlNode>& chain);
     int morph(XmlNode controller, XmlNode geometry);
     void readTargets(XmlNode morph, XmlNode geometry, MorphTargets& result, std::vector<float>& weights);
     XmlNode targetGeometry(XmlNode element);
@@ -35,7 +35,7 @@ private:
     Model& model_;
     AnimationTargets& targets_;
     std::unordered_map<XmlNode, std::pair<bool, SkinData>> skins_;
-    std::uint64_t morphedPositions_ = 0;
+    std::uint64_t morphedPositions_ = 0, boundJoints_ = 0;
 };
 
 }  // namespace walkcycle

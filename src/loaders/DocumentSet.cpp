@@ -13,17 +13,20 @@ struct DocumentSet::Impl {
     const LoadOptions& options;
     Diagnostics& diagnostics;
     Surroundings surroundings;
-    std::unordered_map<std::string, std::unique_ptr<ColladaDocument>> documents;  // by path; null: cannot be opened
+    std::unordered_map<std::string, std::shared_ptr<ColladaDocument>>
+        documents;  // by path; null: cannot be opened
 
     const ColladaDocument& add(Bytes bytes, const std::string& file) {
-        auto document = std::make_unique<ColladaDocument>(std::move(bytes), file, options.limits, diagnostics);
+        auto document =
+            std::make_shared<ColladaDocument>(std::move(bytes), file, options.limits, diagnostics);
         return *(documents[fs::path(file).lexically_normal().string()] = std::move(document));
     }
 
     const ColladaDocument& addRoot(Bytes bytes, const std::string& file) {
         if (bytes.size() > options.limits.maxFileBytes)
-            diagnostics.fail(Code::LimitExceeded, file, 0,
-                             {"file size", std::to_string(bytes.size()), std::to_string(options.limits.maxFileBytes)});
+            diagnostics.fail(
+                Code::LimitExceeded, file, 0,
+                {"file size", std::to_string(bytes.size()), std::to_string(options.limits.maxFileBytes)});
         try {
             if (looksLikeGzip(bytes)) return add(gunzip(bytes, options.limits.archive), file);
             if (!looksLikeZip(bytes)) return add(std::move(bytes), file);
@@ -37,10 +40,17 @@ struct DocumentSet::Impl {
         }
     }
 
-    std::optional<Bytes> readInAnyCase(const XmlNode& from, const fs::path& path) const {
-        if (std::optional<Bytes> bytes = surroundings.read(from, path)) return bytes;
-        const std::string name = inAnotherCase(surroundings.list(path.parent_path()), path.filename().string());
-        return name.empty() ? std::nullopt : surroundings.read(from, path.parent_path() / name);
+    // The document in a file whose name differs from that of `path` in case alone; it may be open already.
+    const ColladaDocument* inAnyCase(const XmlNode& from, const fs::path& path) {
+        const std::string name =
+            inAnotherCase(surroundings.list(path.parent_path()), path.filename().string());
+        if (name.empty()) return nullptr;
+        const fs::path actual = path.parent_path() / name;
+        if (!documents[actual.string()]) {
+            if (std::optional<Bytes> bytes = surroundings.read(from, actual))
+                add(std::move(*bytes), actual.string());
+        }
+        return (documents[path.string()] = documents[actual.string()]).get();
     }
 
     // The other document at `path` (relative to that of `from`), opened once; null, reported once, where it cannot be.
@@ -48,7 +58,8 @@ struct DocumentSet::Impl {
         const fs::path ownFile(from.file());
         if (fs::path(path) == ownFile.filename()) return &from.document();  // a document that names itself
         const fs::path full = (ownFile.parent_path() / path).lexically_normal();
-        if (const auto known = documents.find(full.string()); known != documents.end()) return known->second.get();
+        if (const auto known = documents.find(full.string()); known != documents.end())
+            return known->second.get();
         if (documents.size() > options.limits.maxDocuments)
             diagnostics.fail(Code::LimitExceeded, from,
                              {"number of documents", std::to_string(documents.size()),
@@ -60,13 +71,17 @@ struct DocumentSet::Impl {
     const ColladaDocument* open(const XmlNode& from, const fs::path& path, Severity unopened) {
         std::string reason = "there is no such file";
         try {
-            if (std::optional<Bytes> bytes = readInAnyCase(from, path)) return &add(std::move(*bytes), path.string());
-        } catch (const LoadError& error) {  // what is wrong in it has been reported with its own file and line
+            if (std::optional<Bytes> bytes = surroundings.read(from, path))
+                return &add(std::move(*bytes), path.string());
+            if (const ColladaDocument* document = inAnyCase(from, path)) return document;
+        } catch (
+            const LoadError& error) {  // what is wrong in it has been reported with its own file and line
             reason = error.diagnostics.back().message;
         } catch (const std::runtime_error& error) {  // FileError, ArchiveError
             reason = error.what();
         }
-        diagnostics.report(unopened, Code::ExternalMissing, from, {path.string(), std::string(from.name()), reason});
+        diagnostics.report(unopened, Code::ExternalMissing, from,
+                           {path.string(), std::string(from.name()), reason});
         return nullptr;
     }
 };
@@ -96,9 +111,11 @@ XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri, Severity
         const XmlNode here = from.document().byId(uri.substr(1));
         return here ? here : from.document().byId(percentDecode(uri.substr(1)));
     }
-    if (uri.find('#') == std::string_view::npos) return from.document().byId(uri);  // "id" for "#id", as a courtesy
+    if (uri.find('#') == std::string_view::npos)
+        return from.document().byId(uri);  // "id" for "#id", as a courtesy
     const Uri parts = parseUri(uri);
     if (!parts.scheme.empty() && parts.scheme != "file") return {};
+    if (parts.path.empty()) return from.document().byId(parts.fragment);  // " #id"
     const ColladaDocument* document = impl_->other(from, parts.path, unopened);
     return document ? document->byId(parts.fragment) : XmlNode();
 }
@@ -123,7 +140,8 @@ XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::str
     return target;
 }
 
-std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::string& path, std::string& foundPath) {
+std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::string& path,
+                                             std::string& foundPath) {
     const fs::path full = fs::path(from.file()).parent_path() / path;
     foundPath = full.lexically_normal().string();
     return impl_->surroundings.read(from, full);

@@ -20,6 +20,7 @@ struct LoadLimits {
     std::uint64_t maxNodes = 200'000;           // scene nodes, instances of instance_node counted each time
     std::uint64_t maxInstances = 100'000;       // drawn meshes
     std::uint64_t maxVertices = 100'000'000;    // of all drawn meshes together
+    std::uint64_t maxSkinJoints = 5'000'000;    // of all instances of skins together
     std::uint64_t maxInfluencesPerVertex = 1024;
     std::uint64_t maxKeyFrames = 20'000'000;    // made by the loader
     std::uint64_t maxDocuments = 256;           // other documents that this one refers to

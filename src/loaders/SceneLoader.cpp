@@ -14,6 +14,15 @@ std::optional<double> number(XmlNode node, const LoadContext& context) {
     return std::nullopt;
 }
 
+// Angles, sizes and ratios: nothing but positive ones can be used.
+std::optional<double> positive(XmlNode node, const LoadContext& context) {
+    const std::optional<double> value = number(node, context);
+    if (!value || *value > 0.0) return value;
+    context.diagnostics.report(Code::NumberOddWarning, node,
+                               {node.text(), std::string(node.name()), "the default"});
+    return std::nullopt;
+}
+
 template <typename T>
 void read(XmlNode node, const LoadContext& context, T& value) {
     if (const auto parsed = number(node, context)) value = static_cast<T>(*parsed);
@@ -27,16 +36,14 @@ SceneCamera readCamera(XmlNode camera, const LoadContext& context) {
     const XmlNode perspective = common.child("perspective"), orthographic = common.child("orthographic");
     const XmlNode optics = perspective ? perspective : orthographic;
     result.orthographic = !perspective && orthographic;
-    result.xfov = number(optics.child("xfov"), context);
-    result.yfov = number(optics.child("yfov"), context);
-    result.xmag = number(optics.child("xmag"), context);
-    result.ymag = number(optics.child("ymag"), context);
-    result.aspect = number(optics.child("aspect_ratio"), context);
+    result.xfov = positive(optics.child("xfov"), context);
+    result.yfov = positive(optics.child("yfov"), context);
+    result.xmag = positive(optics.child("xmag"), context);
+    result.ymag = positive(optics.child("ymag"), context);
+    result.aspect = positive(optics.child("aspect_ratio"), context);
     read(optics.child("znear"), context, result.znear);
     read(optics.child("zfar"), context, result.zfar);
-    const auto usable = [](const std::optional<double>& value) { return value && *value > 0.0; };
-    const bool complete = result.orthographic ? usable(result.xmag) || usable(result.ymag)
-                                              : usable(result.xfov) || usable(result.yfov);
+    const bool complete = result.orthographic ? result.xmag || result.ymag : result.xfov || result.yfov;
     if (!complete) {
         context.diagnostics.report(Code::OpticsMissing, camera, {result.id, "45 degrees"});
         result.orthographic = false;
@@ -110,17 +117,20 @@ XmlNode findVisualScene(XmlNode collada, const LoadContext& context) {
     context.diagnostics.fail(Code::NoScene, collada, {});
 }
 
-void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets) {
+void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& model,
+                 AnimationTargets& targets) {
     for (const SceneGraph::Instance& instance : scene.cameras) {
         const XmlNode camera = context.documents.follow(instance.element, "url", "camera");
         if (!camera) continue;
-        const auto [known, isNew] = targets.cameras.try_emplace(camera, static_cast<int>(model.cameras.size()));
+        const auto [known, isNew] =
+            targets.cameras.try_emplace(camera, static_cast<int>(model.cameras.size()));
         if (isNew) model.cameras.push_back(readCamera(camera, context));
         model.cameraInstances.push_back({instance.node, known->second});
     }
 }
 
-void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets) {
+void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model,
+                AnimationTargets& targets) {
     std::unordered_map<XmlNode, bool> unusable;
     for (const SceneGraph::Instance& instance : scene.lights) {
         const XmlNode light = context.documents.follow(instance.element, "url", "light");

@@ -1,6 +1,6 @@
 #include "loaders/SkeletonLoader.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "loaders/AssetReader.h"
 
@@ -27,9 +27,21 @@ void SkeletonLoader::add(const Visit& root, bool drawn) {
         if (drawn) addInstances(visit.node, joint);
         const std::vector<Visit> children = childrenOf(visit.node, joint);
         waiting.insert(waiting.end(), children.rbegin(), children.rend());
-        context_.require(scene_.nodes.size() + waiting.size(), context_.options.limits.maxNodes, "number of scene nodes",
-                         visit.node);
+        context_.require(scene_.nodes.size() + waiting.size(), context_.options.limits.maxNodes,
+                         "number of scene nodes", visit.node);
     }
+}
+
+// Whether the joint's own and its model transform are made of numbers that a float holds with room for one more product.
+bool SkeletonLoader::reachesWorld(const Joint& joint) {
+    constexpr double kLargest = 1e18;
+    const glm::dmat4 local(joint.localBindTransform);
+    worlds_.push_back(joint.parent == kNoParent ? local
+                                                : worlds_[static_cast<std::size_t>(joint.parent)] * local);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!(std::abs(worlds_.back()[column][row]) < kLargest)) return false;
+    return true;
 }
 
 int SkeletonLoader::addJoint(const Visit& visit, bool drawn) {
@@ -45,6 +57,12 @@ int SkeletonLoader::addJoint(const Visit& visit, bool drawn) {
     joint.parent = visit.parent;
     joint.isJoint = node.attribute("type") == "JOINT";
     joint.localBindTransform = glm::mat4(outer * stack.toMatrix());
+    if (!reachesWorld(joint)) {
+        context_.diagnostics.report(Code::TransformOverflow, node, {std::string(node.id())});
+        joint.localBindTransform = glm::mat4(1.0f);
+        worlds_.back() =
+            visit.parent == kNoParent ? glm::dmat4(1.0) : worlds_[static_cast<std::size_t>(visit.parent)];
+    }
     scene_.skeleton.joints.push_back(std::move(joint));
     scene_.nodes.push_back(node);
     scene_.stacks.push_back(std::move(stack));

@@ -30,6 +30,7 @@ private:
     };
     void add(const Visit& root, bool drawn);
     int addJoint(const Visit& visit, bool drawn);
+    bool reachesWorld(const Joint& joint);
     void addInstances(XmlNode node, int joint);
     std::vector<Visit> childrenOf(XmlNode node, int joint);
     bool isInside(XmlNode node, int joint) const;
@@ -38,6 +39,7 @@ private:
     const Asset& asset_;
     XmlNode rootCollada_;
     SceneGraph scene_;
+    std::vector<glm::dmat4> worlds_;  // per joint: its model transform at rest
 };
 
 }  // namespace walkcycle
