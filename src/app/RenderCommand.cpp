@@ -18,6 +18,7 @@
 #include "platform/NoGraphicsDevice.h"
 #include "render/AnimatedModelRenderer.h"
 #include "render/Framebuffer.h"
+#include "render/SampleAverage.h"
 
 namespace walkcycle {
 namespace {
@@ -45,7 +46,7 @@ void declareLook(RenderArguments& options, Arguments& arguments) {
     arguments.flag("--skeleton", "Joints on top", options.look.skeleton);
     arguments.flag("--wireframe", "Edges on top", options.look.wireframe);
     arguments.option(
-        "--samples", "N", "Samples per pixel, 1 to 64 (4); as many as the device has",
+        "--samples", "N", "Samples per pixel, 1 to 64 (4); beyond what the device has, in several passes",
         [&options](const std::string& text) { options.samples = parseInteger(text, "--samples", 1, 64); });
 }
 
@@ -107,14 +108,26 @@ public:
 
     Image take(const Shot& shot) {
         model_.sampleAt(shot.documentSeconds);
-        renderer_.render(model_, options_.camera.camera(model_, picture_.aspect(), shot.turn), picture_,
-                         look_);
-        Image image = picture_.read();
+        const Camera camera = options_.camera.camera(model_, picture_.aspect(), shot.turn);
+        const int passes = (options_.samples + picture_.samples() - 1) / picture_.samples();
+        Image image = passes > 1 ? average(camera, passes) : draw(camera);
         if (look_.background != Background::None) image.hasAlpha = false;
         return image;
     }
 
 private:
+    Image draw(const Camera& camera) {
+        renderer_.render(model_, camera, picture_, look_);
+        return picture_.read();
+    }
+
+    Image average(const Camera& camera, int passes) {
+        SampleAverage average(passes);
+        for (int pass = 0; pass < passes; ++pass)
+            average.add(draw(camera.shifted(average.offset(pass), picture_.width(), picture_.height())));
+        return average.image();
+    }
+
     const RenderArguments& options_;
     AnimatedModel& model_;
     RenderOptions look_;

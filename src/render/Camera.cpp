@@ -154,6 +154,14 @@ glm::vec3 Camera::direction() const {
     return -glm::normalize(glm::vec3(view[0][2], view[1][2], view[2][2]));
 }
 
+Camera Camera::shifted(const glm::vec2& pixels, int pictureWidth, int pictureHeight) const {
+    const glm::vec3 shift(-2.0f * pixels.x / static_cast<float>(pictureWidth),
+                          -2.0f * pixels.y / static_cast<float>(pictureHeight), 0.0f);
+    Camera moved = *this;
+    moved.projection = glm::translate(glm::mat4(1.0f), shift) * projection;
+    return moved;
+}
+
 Camera Camera::framing(const Bounds& bounds, float aspect, CameraPreset preset) {
     return framingFrom(bounds, aspect, walkcycle::direction(preset));
 }

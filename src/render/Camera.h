@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "animation/Joint.h"
@@ -25,6 +26,9 @@ struct Camera {
     glm::mat4 viewProjection() const { return projection * view; }
     glm::vec3 position() const;   // in model space
     glm::vec3 direction() const;  // where it looks, of unit length
+
+    // The same view with the picture shifted by so many pixels to the left and down, as if the camera's film had moved.
+    Camera shifted(const glm::vec2& pixels, int pictureWidth, int pictureHeight) const;
 
     // Shows all of the bounds, with a little room around them. +Z is the front.
     static Camera framing(const Bounds& bounds, float aspect, CameraPreset preset = CameraPreset::Auto);
