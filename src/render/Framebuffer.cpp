@@ -1,7 +1,7 @@
 #include "render/Framebuffer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +39,13 @@ int maxSamples() {
     glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &forColor);
     glGetIntegerv(GL_MAX_SAMPLES, &forDepth);
     return std::min(forColor, forDepth);
+}
+
+// Very large pictures take fewer samples rather than all the memory there is.
+int affordable(int samples, int width, int height) {
+    constexpr std::int64_t most = std::int64_t{1} << 30, bytesPerSample = 8;
+    while (samples > 1 && bytesPerSample * samples * width * height > most) samples /= 2;
+    return samples;
 }
 
 void attach(GLenum attachment, GLuint renderbuffer) {
@@ -90,7 +97,10 @@ Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newF
         throw std::runtime_error("a picture here is at least 1 and at most " +
                                  std::to_string(maxFramebufferSize()) + " pixels wide and high");
     }
-    samples_ = std::clamp(samples, 1, maxSamples());
+    while (glGetError() != GL_NO_ERROR) {
+        // somebody else's; ours are asked for below
+    }
+    samples_ = affordable(std::clamp(samples, 1, std::max(maxSamples(), 1)), width, height);
     target_ = {framebuffer_.id(), width, height};
     depth_ = Renderbuffer(newRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples_ > 1 ? samples_ : 0));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());

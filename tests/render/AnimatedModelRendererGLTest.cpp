@@ -1,6 +1,11 @@
+#include <array>
+#include <cstdlib>
+#include <memory>
+
 #include "render/AnimatedModelRenderer.h"
 #include "render/Framebuffer.h"
 #include "render/GlTest.h"
+#include "render/ModelResource.h"
 #include "render/Srgb.h"
 #include "render/TestModels.h"
 
@@ -123,6 +128,73 @@ TEST_F(AnimatedModelRendererGLTest, texturesStandUpright) {
     EXPECT_EQ(pixel(image, 16, 16), (std::array{255, 0, 0, 255}));
     EXPECT_EQ(pixel(image, 48, 16), (std::array{0, 255, 0, 255}));
     EXPECT_EQ(pixel(image, 16, 48), (std::array{0, 0, 255, 255}));
+}
+
+// A texel of one colour as the picture of a slot.
+int addTexture(Model& model, const std::array<std::uint8_t, 4>& texel) {
+    Texture texture;
+    texture.image = std::make_shared<const Image>(
+        Image{.width = 1, .height = 1, .hasAlpha = true, .rgba = {texel.begin(), texel.end()}});
+    model.textures.push_back(texture);
+    return static_cast<int>(model.textures.size()) - 1;
+}
+
+TEST_F(AnimatedModelRendererGLTest, aBumpPictureTurnsTheNormalAlongItsTangents) {
+    const auto brightness = [&](const std::array<std::uint8_t, 4>& normal) {
+        MeshData mesh = square();
+        mesh.tangents.assign(4, {1, 0, 0, 1});
+        Model model = rigid(mesh, glm::mat4(1.0f), colored(glm::vec4(1.0f)));
+        model.materials[0].slot(Slot::Bump).texture = addTexture(model, normal);
+        return pixel(draw(model, kFile), 32, 32)[0];
+    };
+    EXPECT_NEAR(brightness({128, 128, 255, 255}), 255, 2);  // straight up: as without
+    EXPECT_NEAR(brightness({218, 128, 218, 255}), 180, 3);  // 45 degrees: the cosine
+    EXPECT_NEAR(brightness({255, 128, 128, 255}), 0, 3);    // on its side
+}
+
+TEST_F(AnimatedModelRendererGLTest, eachSlotMayHaveTextureCoordinatesOfItsOwn) {
+    // Half red, half green; emission looks at the left half, diffuse at the right one.
+    MeshData mesh = square();
+    mesh.texCoordSets = {{.set = 0, .coords = std::vector<glm::vec2>(4, {0.25f, 0.5f})},
+                         {.set = 1, .coords = std::vector<glm::vec2>(4, {0.75f, 0.5f})}};
+    Model model = rigid(mesh, glm::mat4(1.0f), colored(glm::vec4(1.0f)));
+    Texture texture;
+    texture.minFilter = texture.magFilter = Filter::Nearest;
+    texture.image = std::make_shared<const Image>(
+        Image{.width = 2, .height = 1, .hasAlpha = false, .rgba = {255, 0, 0, 255, 0, 255, 0, 255}});
+    model.textures.push_back(texture);
+    model.materials[0].slot(Slot::Emission) = {
+        .present = true, .color = glm::vec4(1.0f), .texture = 0, .texCoordName = {}};
+    model.materials[0].slot(Slot::Diffuse).texture = 0;
+    model.instances[0].materials[0].texCoordSets[static_cast<std::size_t>(Slot::Diffuse)] = 1;
+    EXPECT_EQ(pixel(draw(model, kFile), 32, 32), (std::array{255, 255, 0, 255}));
+}
+
+TEST_F(AnimatedModelRendererGLTest, aSolidTexelOfASeeThroughPictureHidesWhatIsBehindIt) {
+    Model model = rigid(square(), glm::mat4(1.0f), glowing({1, 0, 0, 1}));
+    Material& leaf = model.materials[0];
+    leaf.transparent = true;
+    leaf.slot(Slot::Transparent) = {
+        .present = true, .color = glm::vec4(1.0f), .texture = -1, .texCoordName = {}};
+    leaf.slot(Slot::Transparent).texture = addTexture(model, {255, 255, 255, 255});
+    EXPECT_EQ(pixel(draw(model, kFile), 32, 32), (std::array{255, 0, 0, 255}));
+}
+
+TEST_F(AnimatedModelRendererGLTest, whatTheCpuDeformsIsDrawnWhereItIs) {
+    // A morph after a skin is beyond the shader.
+    Model model = skinned(5, 4);
+    addMorph(model, MorphMethod::Relative, {0.0f});
+    const Image onGpu = draw(model, kFile);
+    std::swap(model.instances[0].deformers[0], model.instances[0].deformers[1]);
+    const AnimatedModel onCpu(model);
+    ASSERT_TRUE(onCpu.resource()->instances()[0].deformedOnCpu);
+    const Image image = draw(onCpu, kFile);
+    int different = 0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x)
+            different += std::abs(pixel(image, x, y)[3] - pixel(onGpu, x, y)[3]) > 64;
+    }
+    EXPECT_LT(different, 10);
 }
 
 TEST_F(AnimatedModelRendererGLTest, aNearPaneIsBlendedOverAFarOneWhateverTheirOrder) {
