@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/TextEncoding.h"
+
 namespace walkcycle {
 
 // Writes JSON straight into a string: a pose is megabytes of numbers, and each is written once.
@@ -13,9 +15,11 @@ class JsonText {
 public:
     void raw(std::string_view text) { text_ += text; }
 
+    // A file's name may be bytes of any kind; those that are not UTF-8 are written as Latin-1 would read them.
     void string(std::string_view value) {
+        const bool valid = isUtf8(value);
         text_ += '"';
-        for (const char c : value) character(c);
+        for (const char c : value) character(c, valid);
         text_ += '"';
     }
 
@@ -32,13 +36,13 @@ public:
     std::string take() { return std::move(text_); }
 
 private:
-    void character(char c) {
+    void character(char c, bool valid) {
         constexpr std::string_view kHex = "0123456789abcdef";
         const auto byte = static_cast<unsigned char>(c);
         if (c == '"' || c == '\\') {
             text_ += '\\';
             text_ += c;
-        } else if (byte < 0x20) {
+        } else if (byte < 0x20 || (byte >= 0x80 && !valid)) {
             text_ += "\\u00";
             text_ += kHex[byte >> 4];
             text_ += kHex[byte & 15];

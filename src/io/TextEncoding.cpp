@@ -189,6 +189,10 @@ void cutZeros(std::string& text) {
 
 }  // namespace
 
+bool isUtf8(std::string_view text) {
+    return !firstInvalidUtf8({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 std::string toUtf8(Bytes bytes, bool* guessed) {
     if (guessed) *guessed = false;
     std::string text = decode(bytes, guessed);

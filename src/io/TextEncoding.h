@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "io/File.h"
 
@@ -19,5 +20,7 @@ struct EncodingError : std::runtime_error {
 // are none of these or not valid in the encoding they claim. With `guessed`, 8-bit text that is not what it
 // claims is read as Windows-1252, which takes any byte, and *guessed says that this was done.
 std::string toUtf8(Bytes bytes, bool* guessed = nullptr);
+
+bool isUtf8(std::string_view text);
 
 }  // namespace walkcycle

@@ -69,6 +69,12 @@ TEST(JsonTextTest, textIsEscapedAndNumbersAreFinite) {
     EXPECT_EQ(json.take(), "\"a\\\"b\\\\c\\u000ad\xC3\xA4\",0.1,0");
 }
 
+TEST(JsonTextTest, bytesThatAreNoUtf8StillGiveValidJson) {
+    JsonText json;
+    json.string("L\xE4ufer");
+    EXPECT_EQ(json.take(), "\"L\\u00e4ufer\"");
+}
+
 TEST(PlaybackTest, loopingStartsAgainAndPingPongTurnsBack) {
     Playback playback;
     playback.start(2.0);
