@@ -4,6 +4,7 @@ set -Eeuo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs=$(nproc 2>/dev/null || echo 2)
 current_step="starting"
+export CCACHE_SLOPPINESS=pch_defines,time_macros  # or ccache passes by what uses precompiled headers
 
 step() {
     current_step=$1
