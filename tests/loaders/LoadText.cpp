@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <ostream>
 
+#include "animation/Animator.h"
 #include "loaders/NumberParser.h"
+#include "model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {
@@ -87,6 +89,19 @@ Bytes bytesOf(std::string_view text) {
 TestLoad::TestLoad(std::string_view text, LoadOptions loadOptions)
     : options(std::move(loadOptions)), documents(options, diagnostics), sources(documents, diagnostics) {
     collada = documents.openMemory(bytesOf(text), "test.dae").root();
+}
+
+std::vector<glm::vec3> posed(const Model& model, double seconds, std::size_t instance) {
+    const std::vector<float> rest = model.restParameters();
+    Animator animator(model.skeleton, rest);
+    if (!model.animations.empty()) {
+        animator.doAnimation(model.animations[0]);
+        animator.sampleAt(seconds);
+    }
+    std::vector<glm::vec3> positions;
+    CpuSkinning().positions(model, model.instances.at(instance), animator.modelTransforms(),
+                            animator.parameters(), positions);
+    return positions;
 }
 
 void PrintTo(const Diagnostic& diagnostic, std::ostream* out) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 
 #include "loaders/ColladaDocument.h"
@@ -78,6 +79,14 @@ public:
 
     XmlNode byId(std::string_view id) const { return collada.document().byId(id); }
 };
+
+// Where an instance's positions stand at a time of the document, in metres and Y up unless the load converted nothing.
+std::vector<glm::vec3> posed(const Model& model, double seconds = 0.0, std::size_t instance = 0);
+
+MATCHER_P3(isAt, x, y, z, "") {
+    *result_listener << "(" << arg.x << ", " << arg.y << ", " << arg.z << ")";
+    return glm::length(arg - glm::vec3(x, y, z)) < 1e-5f;
+}
 
 // ---- looking at what was said
 
