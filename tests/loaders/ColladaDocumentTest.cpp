@@ -41,7 +41,7 @@ TEST(ColladaDocumentTest, ofTwoElementsWithOneIdTheFirstIsMeant) {
 }
 
 TEST(ColladaDocumentTest, whatIsNoXmlIsRefusedWithALine) {
-    EXPECT_THAT(refusal(""), says("WC0102", 0, ""));
+    EXPECT_THAT(refusal(""), says("WC0102", 1, ""));
     EXPECT_EQ(refusal("   \n ").code, "WC0102");
     EXPECT_EQ(refusal("solid cube").code, "WC0102");
     EXPECT_EQ(refusal("{\"asset\": 1}").code, "WC0102");
