@@ -193,9 +193,10 @@ bool isUtf8(std::string_view text) {
     return !firstInvalidUtf8({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-std::string toUtf8(Bytes bytes, bool* guessed) {
+std::string toUtf8(Bytes bytes, bool* guessed, bool* padded) {
     if (guessed) *guessed = false;
     std::string text = decode(bytes, guessed);
+    if (padded) *padded = text.ends_with('\0');
     cutZeros(text);
     const Span span = declaredEncoding(text);
     if (span.end > span.begin) text.replace(span.begin, span.end - span.begin, "utf-8");

@@ -17,10 +17,13 @@ int lineAt(std::string_view text, std::size_t offset) {
 std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
     if (bytes.empty()) diagnostics.fail(Code::NotXml, file, 1, {"the file is empty"});
     try {
-        bool guessed = false;
-        std::string text = toUtf8(std::move(bytes), &guessed);
+        bool guessed = false, padded = false;
+        std::string text = toUtf8(std::move(bytes), &guessed, &padded);
         if (guessed) diagnostics.report(Code::EncodingGuessed, file, 1, {});
+        if (padded) diagnostics.report(Code::ControlCharacter, file, lineAt(text, text.size()), {});
         return text;
+    } catch (const EncodingError& error) {
+        diagnostics.fail(Code::BadEncoding, file, error.line, {error.what()});
     } catch (const std::runtime_error& error) {
         diagnostics.fail(Code::BadEncoding, file, 1, {error.what()});
     }

@@ -85,7 +85,11 @@ TEST(TextEncodingTest, overlongFormsSurrogatesAndCutSequencesAreNotUtf8) {
 
 TEST(TextEncodingTest, aZeroCharacterWithinIsAnErrorAndPaddingAtTheEndIsNot) {
     EXPECT_THROW(toUtf8(bytesOf(std::string_view("<a>\0</a>", 8))), EncodingError);
-    EXPECT_EQ(toUtf8(bytesOf(std::string_view("<a/>\0\0\0", 7))), "<a/>");
+    bool guessed = false, padded = false;
+    EXPECT_EQ(toUtf8(bytesOf(std::string_view("<a/>\0\0\0", 7)), &guessed, &padded), "<a/>");
+    EXPECT_TRUE(padded);
+    toUtf8(bytesOf("<a/>"), &guessed, &padded);
+    EXPECT_FALSE(padded);
 }
 
 TEST(TextEncodingTest, utf32IsRefusedByName) {
