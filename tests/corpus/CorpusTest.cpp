@@ -92,7 +92,8 @@ TEST(CorpusTest, everyDocumentLoadsWithFinitePositionsOrSaysWhyNot) {
 TEST(CorpusTest, keyFramesFollowTheFilesOwnCurvesWithinTheTolerance) {
     for (const std::string& file : documents()) {
         try {
-            const LoadOptions options{.loadImages = false};
+            LoadOptions options;
+            options.loadImages = false;
             const Model model = loadCollada(file, options);
             if (!model.exactMotion || model.animations.empty()) continue;
             const Animation& clip = model.animations.front();
