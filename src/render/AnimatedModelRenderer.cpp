@@ -9,7 +9,6 @@
 #include "render/AnimatedModelShader.h"
 #include "render/BackgroundRenderer.h"
 #include "render/FileLights.h"
-#include "render/GridRenderer.h"
 #include "render/InstanceStates.h"
 #include "render/SkeletonRenderer.h"
 #include "render/VertexInput.h"
@@ -88,8 +87,7 @@ struct AnimatedModelRenderer::Impl {
     BufferTexture lightTexture{GL_RGBA32F};
     std::vector<Draw> solid, seeThrough;
     BackgroundRenderer background;
-    std::optional<GridRenderer> grid;  // each is made when it is first needed
-    std::optional<SkeletonRenderer> skeleton;
+    std::optional<SkeletonRenderer> skeleton;  // made when it is first needed
     struct Wireframe {
         ShaderProgram program{{{"animatedModelVertex"}, {"flatFragment"}}};
         DeformUniforms deform{(program.start(), program)};
@@ -103,7 +101,7 @@ struct AnimatedModelRenderer::Impl {
     void drawSeeThrough(const Scene& scene, const AnimatedModelShader& shader);
     void drawPart(const Scene& scene, const AnimatedModelShader& shader, const Draw& draw, Pass pass);
     void drawWireframe(const Scene& scene);
-    void drawModel(const Scene& scene, bool withGrid);
+    void drawModel(const Scene& scene);
 };
 
 const AnimatedModelShader& AnimatedModelRenderer::Impl::shaderFor(const Scene& scene) {
@@ -216,17 +214,13 @@ void AnimatedModelRenderer::Impl::drawWireframe(const Scene& scene) {
     glDisable(GL_BLEND);
 }
 
-void AnimatedModelRenderer::Impl::drawModel(const Scene& scene, bool withGrid) {
+void AnimatedModelRenderer::Impl::drawModel(const Scene& scene) {
     const AnimatedModelShader& shader = shaderFor(scene);
     prepare(scene);
     shader.start();
     shader.loadCamera(scene.camera, scene.encodesItself);
     if (scene.options.lights == Lighting::File) shader.loadLights(lights);
     drawSolid(scene, shader);
-    if (withGrid && scene.options.grid && scene.options.background != Background::None) {
-        if (!grid) grid.emplace();
-        grid->render(scene.model.bounds(), scene.camera, scene.encodesItself);
-    }
     drawSeeThrough(scene, shader);
     if (scene.options.wireframe) drawWireframe(scene);
     if (scene.options.skeleton) {
@@ -242,18 +236,23 @@ AnimatedModelRenderer& AnimatedModelRenderer::operator=(AnimatedModelRenderer&&)
 
 void AnimatedModelRenderer::render(const AnimatedModel& model, const Camera& camera,
                                    const RenderTarget& target, const RenderOptions& options) {
-    clear(target, options);
-    impl_->drawModel({model, camera, options, startDrawingTo(target)}, true);
+    const bool encodesItself = startDrawingTo(target);
+    if (options.grid) {
+        const BackgroundRenderer::Ground ground{camera, model.bounds()};
+        impl_->background.render(options, encodesItself, &ground);
+    } else {
+        impl_->background.render(options, encodesItself, nullptr);
+    }
+    impl_->drawModel({model, camera, options, encodesItself});
 }
 
 void AnimatedModelRenderer::clear(const RenderTarget& target, const RenderOptions& options) {
-    const bool encodesItself = startDrawingTo(target);
-    impl_->background.render(options, encodesItself);
+    impl_->background.render(options, startDrawingTo(target), nullptr);
 }
 
 void AnimatedModelRenderer::draw(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
                                  const RenderOptions& options) {
-    impl_->drawModel({model, camera, options, startDrawingTo(target)}, false);
+    impl_->drawModel({model, camera, options, startDrawingTo(target)});
 }
 
 }  // namespace walkcycle

@@ -83,10 +83,10 @@ void averageOpaqueRow(const std::uint8_t* upper, const std::uint8_t* lower, std:
 
 // Many pictures have an alpha channel and do not use it.
 bool isOpaque(const Image& image) {
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
-        if (image.rgba[i] != 255) return false;
-    }
-    return true;
+    std::uint8_t all = 255;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        all = static_cast<std::uint8_t>(all & image.rgba[i]);
+    return all == 255;
 }
 
 }  // namespace
