@@ -13,7 +13,8 @@ Image onePixel(std::uint8_t red, std::uint8_t alpha) {
 
 TEST(SampleAverageTest, coverageIsTheMeanOfThePasses) {
     SampleAverage average(4);
-    for (const std::uint8_t alpha : {255, 0, 0, 0}) average.add(onePixel(alpha ? 200 : 0, alpha));
+    for (const int alpha : {255, 0, 0, 0})
+        average.add(onePixel(static_cast<std::uint8_t>(alpha ? 200 : 0), static_cast<std::uint8_t>(alpha)));
 
     EXPECT_EQ(average.image().rgba[3], 64);
     EXPECT_EQ(average.image().rgba[0], 200);  // straight: what shines through does not darken it
