@@ -51,6 +51,7 @@ public:
                                      ? controllers_.load(source, instance)
                                      : context_.documents.follow(source.element, "url", "geometry");
         if (!geometry) return;
+        if (!instance.deformers.empty()) meshes_.willDeform(geometry);
         const MeshData& mesh = meshes_.load(geometry).mesh;
         vertices_ += mesh.vertexCount() + mesh.parts.size();  // a part without vertices costs memory as well
         const LoadLimits& limits = context_.options.limits;

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "loaders/SmoothNormals.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 namespace {

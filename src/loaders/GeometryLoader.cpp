@@ -7,7 +7,7 @@
 #include "loaders/MeshBuilder.h"
 #include "loaders/NumberParser.h"
 #include "loaders/PrimitiveReader.h"
-#include "loaders/SmoothNormals.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 namespace {

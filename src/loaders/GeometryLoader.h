@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "loaders/LoadContext.h"
-#include "loaders/MeshFaces.h"
 #include "model/MeshData.h"
+#include "model/MeshFaces.h"
 
 namespace walkcycle {
 
@@ -18,9 +18,11 @@ struct LoadedMesh {
     MeshFaces faces;
     std::vector<std::uint32_t> cornerVertices;
     bool hasNormals = false;  // the normals are the file's own
+    std::vector<std::uint32_t>
+        indexCorners;  // per index of the mesh, if it has no normals: the corner, kNoCorner for lines
 };
 
-inline constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
+inline constexpr std::uint32_t kNoCorner = ~std::uint32_t{0};
 
 // Reads a <geometry>: all its primitives, triangulated, corners joined into vertices, missing normals made.
 // Reports faults and gives what can be drawn, possibly a mesh without parts (a morph target may have no primitives).

@@ -1,6 +1,7 @@
 #include "loaders/MeshBuilder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -8,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "loaders/CornerAttributes.h"
-#include "loaders/SmoothNormals.h"
 #include "loaders/Triangulation.h"
 #include "loaders/VertexJoiner.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 namespace {
@@ -48,6 +49,7 @@ private:
     bool joinRing(const Ring& ring, std::size_t meshCorner);
     void useNormal(float* normal, std::size_t meshCorner);
     void cutFace(std::span<const Ring> rings);
+    void addIndices(std::span<const std::uint32_t> corners);
     bool isPlainQuad(const Ring& quad);
     bool hasArea(const Ring& ring);
     std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner);
@@ -64,8 +66,8 @@ private:
     std::size_t zeroNormals_ = 0, flatFaces_ = 0;
     std::vector<glm::vec3> madeNormals_;  // per corner of the faces; made when the first is needed
     Triangulation triangulation_;
-    std::vector<glm::vec3> points_;  // of the polygon being cut, with the vertices that they became
-    std::vector<std::uint32_t> pointVertices_, ringEnds_;
+    std::vector<glm::vec3> points_;  // of the polygon being cut, with the corners that they are
+    std::vector<std::uint32_t> pointCorners_, ringEnds_;
 };
 
 // All position sources of a mesh stand one after another in MeshData::positions. There is hardly ever a second.
@@ -137,6 +139,7 @@ void Builder::addLines(const PrimitiveCorners& primitive) {
         mesh_.indices.push_back(joiner_.add(base + from, attributes_.read(line.firstCorner)));
         mesh_.indices.push_back(joiner_.add(base + to, attributes_.read(line.firstCorner + 1)));
     }
+    if (!loaded_.hasNormals) loaded_.indexCorners.resize(mesh_.indices.size(), kNoCorner);
     badPositions_.report(primitive, primitive.inputs.position, "VERTEX", context_.diagnostics);
 }
 
@@ -184,25 +187,30 @@ void Builder::cutFace(std::span<const Ring> rings) {
     const Ring& outline = rings[0];
     if (!hasArea(outline)) ++flatFaces_;
     const std::uint32_t* vertices = loaded_.cornerVertices.data();
-    const std::uint32_t* v = vertices + outline.firstCorner;
+    const std::uint32_t c0 = outline.firstCorner;
     // Nearly all are triangles and plain quads.
-    if (rings.size() == 1 && outline.cornerCount == 3)
-        return void(mesh_.indices.insert(mesh_.indices.end(), {v[0], v[1], v[2]}));
+    if (rings.size() == 1 && outline.cornerCount == 3) return addIndices(std::array{c0, c0 + 1, c0 + 2});
     if (rings.size() == 1 && outline.cornerCount == 4 && isPlainQuad(outline))
-        return void(mesh_.indices.insert(mesh_.indices.end(), {v[0], v[1], v[2], v[0], v[2], v[3]}));
+        return addIndices(std::array{c0, c0 + 1, c0 + 2, c0, c0 + 2, c0 + 3});
     points_.clear();
-    pointVertices_.clear();
+    pointCorners_.clear();
     ringEnds_.clear();
     for (const Ring& ring : rings) {
         if (vertices[ring.firstCorner] == kNoVertex) continue;  // a hole that has a corner without a position
         for (std::uint32_t c = ring.firstCorner; c < ring.firstCorner + ring.cornerCount; ++c) {
             points_.push_back(mesh_.positions[loaded_.faces.cornerPositions[c]]);
-            pointVertices_.push_back(vertices[c]);
+            pointCorners_.push_back(c);
         }
         ringEnds_.push_back(static_cast<std::uint32_t>(points_.size()));
     }
     for (const std::uint32_t point : triangulation_.cut(points_, ringEnds_))
-        mesh_.indices.push_back(pointVertices_[point]);
+        addIndices(std::span(pointCorners_).subspan(point, 1));
+}
+
+void Builder::addIndices(std::span<const std::uint32_t> corners) {
+    for (const std::uint32_t corner : corners) mesh_.indices.push_back(loaded_.cornerVertices[corner]);
+    if (!loaded_.hasNormals)
+        loaded_.indexCorners.insert(loaded_.indexCorners.end(), corners.begin(), corners.end());
 }
 
 // Whether a quad may be cut from its first corner to its third: both halves face where the whole faces.

@@ -17,6 +17,9 @@ public:
 
     const LoadedMesh& load(XmlNode geometry);
 
+    // To be told of each mesh that something deforms: where the file has no normals, those of the new shape are made.
+    void willDeform(XmlNode geometry);
+
     // Its index in Model::meshes, where moveInto puts it: the meshes that are drawn, not those only morphed to.
     int drawn(XmlNode geometry);
     void moveInto(Model& model);

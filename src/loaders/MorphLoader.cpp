@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "loaders/SmoothNormals.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 namespace {
@@ -37,18 +37,16 @@ std::vector<glm::vec3> normalsByPosition(const LoadedMesh& base, const LoadedMes
     return deltas;
 }
 
-// How made normals turn when the base's polygons are laid through the target's positions.
+// How made normals would turn when the base's polygons are laid through the target's positions.
 std::vector<glm::vec3> normalsByShape(const LoadedMesh& base, const std::vector<glm::vec3>& positionDeltas) {
     std::vector<glm::vec3> deformed = base.mesh.positions;
     for (std::size_t i = 0; i < deformed.size(); ++i) deformed[i] += positionDeltas[i];
-    std::vector<glm::vec3> before;  // where the base has none of its own, they are what it was given
-    if (base.hasNormals) before = smoothNormals(base.faces, base.mesh.positions, base.mesh.positions);
+    const std::vector<glm::vec3> before = smoothNormals(base.faces, base.mesh.positions, base.mesh.positions);
     const std::vector<glm::vec3> after = smoothNormals(base.faces, base.mesh.positions, deformed);
     std::vector<glm::vec3> deltas(base.mesh.vertexCount(), glm::vec3(0.0f));
     for (std::size_t c = 0; c < base.cornerVertices.size(); ++c) {
         const std::uint32_t vertex = base.cornerVertices[c];
-        if (vertex != kNoVertex)
-            deltas[vertex] = after[c] - (base.hasNormals ? before[c] : base.mesh.normals[vertex]);
+        if (vertex != kNoVertex) deltas[vertex] = after[c] - before[c];
     }
     return deltas;
 }
@@ -70,6 +68,8 @@ MorphTarget makeMorphTarget(const LoadedMesh& base, const LoadedMesh& target, Mo
     result.positionDeltas.assign(from.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i)
         result.positionDeltas[i] = method == MorphMethod::Normalized ? difference(to[i], from[i]) : to[i];
+
+    if (!base.hasNormals) return result;  // they are made of the shape that all deformers make together
 
     // The normals of a RELATIVE target are differences, if anything; what the shape does is clear.
     const bool own = method == MorphMethod::Normalized && target.mesh.positions.size() >= from.size();

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "loaders/LoadContext.h"
-#include "loaders/MeshFaces.h"
 #include "loaders/PrimitiveInputs.h"
 #include "model/MeshData.h"
+#include "model/MeshFaces.h"
 
 namespace walkcycle {
 

@@ -39,6 +39,10 @@ glm::mat3 normalMatrix(const glm::mat4& matrix) {
     return glm::dot(cross(x, y), z) < 0.0f ? -cofactors : cofactors;
 }
 
+bool isMirror(const glm::mat4& matrix) {
+    return glm::determinant(glm::mat3(matrix)) < 0.0f;
+}
+
 // The vertices of lines have no normal: theirs stays zero.
 glm::vec3 unit(const glm::vec3& normal) {
     const float length = glm::length(normal);
@@ -102,7 +106,13 @@ void morphCoefficients(const Model& model, std::span<const Deformer> deformers,
     }
 }
 
-bool shaderCanDeform(const MeshInstance& instance) {
+bool makesNormals(const Model& model, const MeshInstance& instance) {
+    const MeshData& mesh = model.meshes[index(instance.mesh)];
+    return !instance.deformers.empty() && !mesh.madeNormals.faces.rings.empty() && mesh.tangents.empty();
+}
+
+bool shaderCanDeform(const Model& model, const MeshInstance& instance) {
+    if (makesNormals(model, instance)) return false;
     std::size_t morphs = 0;
     while (morphs < instance.deformers.size() && instance.deformers[morphs].kind == Deformer::Kind::Morph)
         ++morphs;
@@ -118,14 +128,17 @@ struct CpuSkinning::Work {
     const std::vector<glm::mat4>& modelTransforms;
     std::span<const float> parameters;
     std::vector<glm::vec3>& positions;
-    std::vector<glm::vec3>* normals;  // null where nobody asks for them
+    std::vector<glm::vec3>* normals;  // to be deformed; null where nobody asks for them
+    std::vector<glm::vec3>* made;     // to be made when all is deformed; null where the mesh has its own
     bool inModelSpace = false;
     bool wasSkinned = false;
+    bool mirrored = false;  // by the nodes between deformers, beside what skins do
 
     const glm::mat4& nodeTransform() const { return modelTransforms[index(instance.node)]; }
 
     void transform(const glm::mat4& matrix) {
         for (glm::vec3& position : positions) position = glm::vec3(matrix * glm::vec4(position, 1.0f));
+        if (isMirror(matrix)) mirrored = !mirrored;
         if (!normals) return;
         const glm::mat3 turn = normalMatrix(matrix);
         for (glm::vec3& normal : *normals) normal = unit(turn * normal);
@@ -177,9 +190,25 @@ void CpuSkinning::skin(Work& work, const Deformer& deformer) {
     for (std::size_t p = 0; p < work.positions.size(); ++p) {
         const glm::mat4 matrix = blendedMatrix(influences, p, palette_);
         work.positions[p] = glm::vec3(matrix * glm::vec4(work.positions[p], 1.0f));
+        if (work.made && isMirror(matrix)) mirrored_[p] = !mirrored_[p];
     }
     work.inModelSpace = true;
     work.wasSkinned = true;
+}
+
+// Creases are where the deformed shape has them: what is flat at rest may be folded now. A surface that is turned inside
+// out as a whole still looks outside.
+void CpuSkinning::makeNormals(Work& work) {
+    const MadeNormals& mesh = work.mesh.madeNormals;
+    const std::vector<glm::vec3>& normals =
+        smoothNormals_.make(mesh.faces, mesh.meetings, work.positions, work.positions);
+    for (std::size_t c = 0; c < normals.size(); ++c) {
+        const std::uint32_t vertex = mesh.cornerVertices[c];
+        if (vertex == kNoVertex) continue;
+        const bool inside = mirrored_[work.mesh.vertexPositions[vertex]] != work.mirrored;
+        (*work.made)[vertex] = inside ? -normals[c] : normals[c];
+    }
+    work.normals = work.made;  // what is still to come turns them too
 }
 
 void CpuSkinning::deform(Work& work) {
@@ -193,6 +222,7 @@ void CpuSkinning::deform(Work& work) {
         while (i < deformers.size() && deformers[i].kind == Deformer::Kind::Morph) ++i;
         morph(work, deformers.subspan(first, i - first));
     }
+    if (work.made) makeNormals(work);
     work.goToModelSpace();
 }
 
@@ -201,7 +231,7 @@ void CpuSkinning::positions(const Model& model, const MeshInstance& instance,
                             std::vector<glm::vec3>& out) {
     const MeshData& mesh = model.meshes[index(instance.mesh)];
     out = mesh.positions;
-    Work work{model, instance, mesh, modelTransforms, parameters, out, nullptr};
+    Work work{model, instance, mesh, modelTransforms, parameters, out, nullptr, nullptr};
     deform(work);
 }
 
@@ -212,7 +242,16 @@ void CpuSkinning::vertices(const Model& model, const MeshInstance& instance,
     assert(mesh.normals.size() == mesh.vertexCount());
     work_ = mesh.positions;
     outNormals = mesh.normals;
-    Work work{model, instance, mesh, modelTransforms, parameters, work_, &outNormals};
+    const bool makes = makesNormals(model, instance);
+    if (makes) mirrored_.assign(mesh.positions.size(), false);
+    Work work{model,
+              instance,
+              mesh,
+              modelTransforms,
+              parameters,
+              work_,
+              makes ? nullptr : &outNormals,
+              makes ? &outNormals : nullptr};
     deform(work);
     for (glm::vec3& normal : outNormals) normal = unit(normal);
     outPositions.resize(mesh.vertexCount());

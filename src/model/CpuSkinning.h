@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "model/Model.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 
@@ -26,9 +27,13 @@ struct Bounds {
 void morphCoefficients(const Model& model, std::span<const Deformer> deformers,
                        std::span<const float> parameters, std::vector<float>& coefficients);
 
-// Which of an instance's deformers the vertex shader can do: leading morphs, then at most one skin. If false,
-// the instance is deformed here and uploaded.
-bool shaderCanDeform(const MeshInstance& instance);
+// Whether the normals of an instance are made anew for each shape that its deformers give it. (Not where a bump texture
+// needs tangents, which are not made anew.)
+bool makesNormals(const Model& model, const MeshInstance& instance);
+
+// Which of an instance's deformers the vertex shader can do: leading morphs, then at most one skin, and normals that turn
+// with the vertices. If false, the instance is deformed here and uploaded.
+bool shaderCanDeform(const Model& model, const MeshInstance& instance);
 
 // The shader's sum in plain C++: the oracle of the GPU tests, and the source of bounds, poses and baked
 // meshes. Results are in model space (world). Keeps its work memory between calls.
@@ -49,10 +54,13 @@ private:
     void deform(Work& work);
     void morph(Work& work, std::span<const Deformer> morphs);
     void skin(Work& work, const Deformer& deformer);
+    void makeNormals(Work& work);
 
     std::vector<glm::mat4> palette_;
     std::vector<float> coefficients_;
     std::vector<glm::vec3> work_;
+    std::vector<bool> mirrored_;  // per position: its skins turn inside out
+    SmoothNormals smoothNormals_;
 };
 
 // The bounds of everything drawn at one pose.

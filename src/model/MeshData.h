@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "model/MeshFaces.h"
+
 namespace walkcycle {
 
 enum class Primitive { Triangles, Lines };
@@ -45,6 +47,7 @@ struct MeshData {
     std::vector<std::uint32_t> indices;  // into the vertices: three per triangle, two per line
     std::vector<MeshPart> parts;
     bool doubleSided = false;  // the file's hint
+    MadeNormals madeNormals;   // empty unless the file has no normals and something deforms the mesh
 
     std::size_t vertexCount() const { return vertexPositions.size(); }
 };

@@ -55,7 +55,7 @@ std::size_t leadingMorphs(const MeshInstance& instance) {
 }
 
 bool fitsTheShader(const Model& model, const MeshInstance& instance, std::size_t maxTexels) {
-    if (!shaderCanDeform(instance) || morphTexels(model, instance) > maxTexels) return false;
+    if (!shaderCanDeform(model, instance) || morphTexels(model, instance) > maxTexels) return false;
     for (const Deformer& deformer : instance.deformers) {
         if (deformer.kind != Deformer::Kind::Skin) continue;
         if (model.skins[index(deformer.index)].joints.size() > maxTexels / 3) return false;

@@ -17,6 +17,12 @@ std::string quad(const std::string& positions, const std::string& more = "") {
            "<vcount>4</vcount><p>0 1 2 3</p></polylist>";
 }
 
+// The square with normals of its own.
+std::string litSquare() {
+    return source("flat", 3, "0 0 1 0 0 1 0 0 1 0 0 1") +
+           quad(kSquare, "<input semantic=\"NORMAL\" source=\"#flat\"/>");
+}
+
 TEST(MorphLoaderTest, normalizedTargetsAreDifferences) {
     const GeometryFixture base(quad(kSquare)), target(quad(kLowered));
     const MorphTarget morph = makeMorphTarget(base.loaded, target.loaded, MorphMethod::Normalized, "low");
@@ -27,7 +33,7 @@ TEST(MorphLoaderTest, normalizedTargetsAreDifferences) {
 }
 
 TEST(MorphLoaderTest, relativeTargetsAreDifferencesAlready) {
-    const GeometryFixture base(quad(kSquare)), target(quad("0 0 0 0 0 -1 0 0 -1 0 0 0"));
+    const GeometryFixture base(litSquare()), target(quad("0 0 0 0 0 -1 0 0 -1 0 0 0"));
     const MorphTarget morph = makeMorphTarget(base.loaded, target.loaded, MorphMethod::Relative, "low");
 
     EXPECT_EQ(morph.positionDeltas[2], glm::vec3(0, 0, -1));
@@ -46,7 +52,7 @@ TEST(MorphLoaderTest, longerAndShorterTargetsMoveWhatTheyKnow) {
 }
 
 TEST(MorphLoaderTest, targetsWithoutPrimitivesTurnTheNormalsByTheBasesPolygons) {
-    const GeometryFixture base(quad(kSquare)), target(vertices(kLowered));
+    const GeometryFixture base(litSquare()), target(vertices(kLowered));
     const MorphTarget morph = makeMorphTarget(base.loaded, target.loaded, MorphMethod::Normalized, "");
 
     const glm::vec3 slope = glm::normalize(glm::vec3(1, 0, 1));
@@ -57,7 +63,7 @@ TEST(MorphLoaderTest, targetsWithoutPrimitivesTurnTheNormalsByTheBasesPolygons) 
 
 TEST(MorphLoaderTest, normalsOnVerticesAreTakenByPosition) {
     const std::string normals = source("up", 3, "0 0 1 1 0 0 0 1 0 0 0 1");
-    const GeometryFixture base(quad(kSquare)),
+    const GeometryFixture base(litSquare()),
         target(normals + vertices(kLowered, "<input semantic=\"NORMAL\" source=\"#up\"/>"));
     const MorphTarget morph = makeMorphTarget(base.loaded, target.loaded, MorphMethod::Normalized, "");
 
@@ -78,6 +84,13 @@ TEST(MorphLoaderTest, theTargetsOwnNormalsAreTakenCornerByCorner) {
 
     EXPECT_THAT(morph.normalDeltas,
                 ElementsAre(glm::vec3(0), glm::vec3(0, 1, -1), glm::vec3(1, 0, -1), glm::vec3(0)));
+}
+
+TEST(MorphLoaderTest, aBaseWithoutNormalsNeedsNoneOfItsTargets) {
+    const GeometryFixture base(quad(kSquare)), target(quad(kLowered));
+
+    EXPECT_TRUE(
+        makeMorphTarget(base.loaded, target.loaded, MorphMethod::Normalized, "").normalDeltas.empty());
 }
 
 TEST(MorphLoaderTest, everythingStaysFinite) {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "loaders/GeometryFixture.h"
-#include "loaders/SmoothNormals.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 namespace {

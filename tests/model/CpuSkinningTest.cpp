@@ -187,16 +187,18 @@ TEST(MorphCoefficientsTest, aRelativeLayerLeavesWhatLiesBeneath) {
 }
 
 TEST(ShaderCanDeformTest, morphsAndThenOneSkinAndNothingElse) {
+    Model model;
+    model.meshes.emplace_back();
     MeshInstance instance;
-    EXPECT_TRUE(shaderCanDeform(instance));
+    EXPECT_TRUE(shaderCanDeform(model, instance));
     instance.deformers = {morphOf(0), morphOf(1), kSkin};
-    EXPECT_TRUE(shaderCanDeform(instance));
+    EXPECT_TRUE(shaderCanDeform(model, instance));
     instance.deformers = {morphOf(0)};
-    EXPECT_TRUE(shaderCanDeform(instance));
+    EXPECT_TRUE(shaderCanDeform(model, instance));
     instance.deformers = {kSkin, morphOf(0)};
-    EXPECT_FALSE(shaderCanDeform(instance));
+    EXPECT_FALSE(shaderCanDeform(model, instance));
     instance.deformers = {kSkin, kSkin};
-    EXPECT_FALSE(shaderCanDeform(instance));
+    EXPECT_FALSE(shaderCanDeform(model, instance));
 }
 
 }  // namespace

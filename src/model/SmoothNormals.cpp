@@ -1,4 +1,4 @@
-#include "loaders/SmoothNormals.h"
+#include "model/SmoothNormals.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,11 +14,7 @@ namespace {
 // More faces than this at one position cost too much to compare each with each; they are all smoothed.
 constexpr std::size_t kMostComparedFaces = 256;
 
-// A corner as its position sees it: the face's unit normal at rest, and what it adds to the sum.
-struct Share {
-    glm::vec3 restNormal{0.0f};
-    glm::vec3 weighted{0.0f};
-};
+using Share = SmoothNormals::Share;
 
 glm::dvec3 areaVector(const MeshFaces& faces, const Ring& ring, const std::vector<glm::vec3>& positions) {
     const std::uint32_t* corners = faces.cornerPositions.data() + ring.firstCorner;
@@ -59,9 +55,9 @@ bool isWhole(const MeshFaces& faces, const Ring& ring) {
     return std::find(first, first + ring.cornerCount, kNoPosition) == first + ring.cornerCount;
 }
 
-std::vector<Share> sharesOf(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
-                            const std::vector<glm::vec3>& deformed) {
-    std::vector<Share> shares(faces.cornerPositions.size());
+void findShares(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
+                const std::vector<glm::vec3>& deformed, std::vector<Share>& shares) {
+    shares.assign(faces.cornerPositions.size(), {});
     glm::vec3 restNormal(0.0f), normal(0.0f);
     for (const Ring& ring : faces.rings) {
         if (!isWhole(faces, ring)) continue;
@@ -71,7 +67,6 @@ std::vector<Share> sharesOf(const MeshFaces& faces, const std::vector<glm::vec3>
         }
         addShares(faces, ring, restNormal, normal, deformed, shares);
     }
-    return shares;
 }
 
 // For each position the first one of the same value, so that seams where an exporter repeats positions stay closed.
@@ -92,25 +87,6 @@ std::vector<std::uint32_t> firstOfEqual(const std::vector<glm::vec3>& positions)
     return first;
 }
 
-// The corners at each position: those of position p are corners[starts[p]] to corners[starts[p + 1]].
-struct CornersByPosition {
-    std::vector<std::uint32_t> starts, corners;
-};
-
-CornersByPosition groupByPosition(const MeshFaces& faces, const std::vector<glm::vec3>& positions) {
-    const std::vector<std::uint32_t> first = firstOfEqual(positions);
-    CornersByPosition groups;
-    groups.starts.assign(positions.size() + 2, 0);
-    for (const std::uint32_t position : faces.cornerPositions)
-        if (position != kNoPosition) ++groups.starts[first[position] + 2];
-    for (std::size_t i = 2; i < groups.starts.size(); ++i) groups.starts[i] += groups.starts[i - 1];
-    groups.corners.resize(groups.starts.back());
-    for (std::uint32_t c = 0; c < faces.cornerPositions.size(); ++c)
-        if (faces.cornerPositions[c] != kNoPosition)
-            groups.corners[groups.starts[first[faces.cornerPositions[c]] + 1]++] = c;
-    return groups;
-}
-
 void setNormal(glm::vec3& normal, const glm::dvec3& sum) {
     const glm::vec3 unit = unitOrZero(sum);
     if (unit != glm::vec3(0.0f)) normal = unit;
@@ -127,11 +103,11 @@ void smoothWithinCrease(std::span<const std::uint32_t> corners, const std::vecto
                         std::vector<glm::vec3>& normals) {
     static const float cosCrease = std::cos(kCreaseAngleDegrees * std::numbers::pi_v<float> / 180.0f);
     for (const std::uint32_t corner : corners) {
-        const glm::vec3& own = shares[corner].restNormal;
+        const glm::vec3& own = shares[corner].creaseNormal;
         glm::dvec3 sum(0.0);
         for (const std::uint32_t other : corners) {
             // A face without an area has no side to be on: it takes what its neighbours have.
-            if (own == glm::vec3(0.0f) || glm::dot(own, shares[other].restNormal) >= cosCrease)
+            if (own == glm::vec3(0.0f) || glm::dot(own, shares[other].creaseNormal) >= cosCrease)
                 sum += glm::dvec3(shares[other].weighted);
         }
         setNormal(normals[corner], sum);
@@ -145,20 +121,40 @@ glm::vec3 unitOrZero(const glm::dvec3& vector) {
     return length > 0.0 && std::isfinite(length) ? glm::vec3(vector / length) : glm::vec3(0.0f);
 }
 
+CornerGroups groupCorners(const MeshFaces& faces, const std::vector<glm::vec3>& positions) {
+    const std::vector<std::uint32_t> first = firstOfEqual(positions);
+    CornerGroups groups;
+    groups.starts.assign(positions.size() + 2, 0);
+    for (const std::uint32_t position : faces.cornerPositions)
+        if (position != kNoPosition) ++groups.starts[first[position] + 2];
+    for (std::size_t i = 2; i < groups.starts.size(); ++i) groups.starts[i] += groups.starts[i - 1];
+    groups.corners.resize(groups.starts.back());
+    for (std::uint32_t c = 0; c < faces.cornerPositions.size(); ++c)
+        if (faces.cornerPositions[c] != kNoPosition)
+            groups.corners[groups.starts[first[faces.cornerPositions[c]] + 1]++] = c;
+    groups.starts.pop_back();
+    return groups;
+}
+
+const std::vector<glm::vec3>& SmoothNormals::make(const MeshFaces& faces, const CornerGroups& meetings,
+                                                  const std::vector<glm::vec3>& rest,
+                                                  const std::vector<glm::vec3>& deformed) {
+    findShares(faces, rest, deformed, shares_);
+    normals_.assign(faces.cornerPositions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+    for (std::size_t g = 0; g + 1 < meetings.starts.size(); ++g) {
+        const std::uint32_t first = meetings.starts[g], count = meetings.starts[g + 1] - first;
+        const std::span corners = std::span(meetings.corners).subspan(first, count);
+        if (count <= kMostComparedFaces)
+            smoothWithinCrease(corners, shares_, normals_);
+        else
+            smoothAll(corners, shares_, normals_);
+    }
+    return normals_;
+}
+
 std::vector<glm::vec3> smoothNormals(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
                                      const std::vector<glm::vec3>& deformed) {
-    const std::vector<Share> shares = sharesOf(faces, rest, deformed);
-    const CornersByPosition groups = groupByPosition(faces, rest);
-    std::vector<glm::vec3> normals(faces.cornerPositions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
-    for (std::size_t p = 0; p < rest.size(); ++p) {
-        const std::span corners(groups.corners.data() + groups.starts[p],
-                                groups.starts[p + 1] - groups.starts[p]);
-        if (corners.size() <= kMostComparedFaces)
-            smoothWithinCrease(corners, shares, normals);
-        else
-            smoothAll(corners, shares, normals);
-    }
-    return normals;
+    return SmoothNormals().make(faces, groupCorners(faces, rest), rest, deformed);
 }
 
 }  // namespace walkcycle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,20 @@ struct MeshFaces {
 };
 
 inline constexpr std::uint32_t kNoPosition = ~std::uint32_t{0};
+inline constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
+
+// Which corners meet: those of group g are corners[starts[g]] to corners[starts[g + 1]].
+struct CornerGroups {
+    std::vector<std::uint32_t> starts, corners;
+};
+
+// What normals are made of anew for each shape that a mesh takes, where its file has none. Each corner has a vertex of
+// its own: which of them look the same is not known before the shape is.
+struct MadeNormals {
+    MeshFaces faces;
+    std::vector<std::uint32_t> cornerVertices;  // per corner: the vertex, or kNoVertex
+    CornerGroups meetings;
+};
 
 // The rings of one polygon: [first, end) in MeshFaces::rings, the holes after their outline.
 inline std::size_t endOfFace(const std::vector<Ring>& rings, std::size_t first) {
