@@ -6,6 +6,7 @@
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/NumberParser.h"
+#include "loaders/SpacedNames.h"
 
 namespace walkcycle {
 namespace {
@@ -45,8 +46,9 @@ void checkArrayCount(XmlNode array, std::size_t held, Severity miscounted, Diagn
     }
     const std::optional<std::uint64_t> count = readCount(array, "count", diagnostics);
     if (count && *count != held)
-        diagnostics.report(miscounted, Code::CountMismatch, array,
-                           {std::string(array.name()), std::to_string(*count), "values", std::to_string(held)});
+        diagnostics.report(
+            miscounted, Code::CountMismatch, array,
+            {std::string(array.name()), std::to_string(*count), "values", std::to_string(held)});
 }
 
 // How many numbers a <param> of this type takes: "float" 1, "float4x4" 16, "name" 1.
@@ -77,8 +79,9 @@ void readParams(XmlNode accessor, Layout& layout, Diagnostics& diagnostics) {
         column += size;
     }
     if (column > layout.stride) {
-        diagnostics.report(Code::CountMismatch, accessor,
-                           {"accessor", "a stride of " + std::to_string(layout.stride), "values", std::to_string(column)});
+        diagnostics.report(
+            Code::CountMismatch, accessor,
+            {"accessor", "a stride of " + std::to_string(layout.stride), "values", std::to_string(column)});
         const bool defaulted = !accessor.has("stride") && column <= 16;
         if (defaulted) layout.stride = column;
         std::erase_if(layout.columns, [&](std::size_t c) { return c >= layout.stride; });
@@ -87,7 +90,8 @@ void readParams(XmlNode accessor, Layout& layout, Diagnostics& diagnostics) {
     const bool oneForAll = paramCount == 1 && layout.stride == 16;
     if (layout.columns.empty() || oneForAll) {
         layout.columns.clear();
-        for (std::size_t i = 0; i < std::min<std::uint64_t>(layout.stride, 64); ++i) layout.columns.push_back(i);
+        for (std::size_t i = 0; i < std::min<std::uint64_t>(layout.stride, 64); ++i)
+            layout.columns.push_back(i);
     }
 }
 
@@ -114,8 +118,10 @@ Layout readLayout(XmlNode source, std::size_t held, Diagnostics& diagnostics) {
     if (!accessor.has("count")) diagnostics.report(Code::MissingAttribute, accessor, {"accessor", "count"});
     layout.count = readCount(accessor, "count", diagnostics).value_or(carried);
     if (layout.count > carried) {
-        const std::string wanted = std::to_string(layout.count) + " entries of " + std::to_string(layout.stride) + " values";
-        diagnostics.report(Code::AccessorOutside, accessor, {std::string(source.id()), wanted, std::to_string(held)});
+        const std::string wanted =
+            std::to_string(layout.count) + " entries of " + std::to_string(layout.stride) + " values";
+        diagnostics.report(Code::AccessorOutside, accessor,
+                           {std::string(source.id()), wanted, std::to_string(held)});
         layout.count = carried;
     }
     return layout;
@@ -137,7 +143,8 @@ std::vector<T> pick(std::vector<T>&& values, const Layout& layout) {
 }
 
 // The array that the accessor means: by its source, or the source's own where that leads to the <source> itself or nowhere.
-XmlNode findArray(XmlNode source, DocumentSet& documents, Diagnostics& diagnostics, bool isArray(std::string_view)) {
+XmlNode findArray(XmlNode source, DocumentSet& documents, Diagnostics& diagnostics,
+                  bool isArray(std::string_view)) {
     XmlNode own;
     for (XmlNode node : source.children())
         if (!own && isArray(node.name())) own = node;
@@ -146,11 +153,14 @@ XmlNode findArray(XmlNode source, DocumentSet& documents, Diagnostics& diagnosti
     const XmlNode meant = documents.resolve(accessor, accessor.attribute("source"));
     if (meant && isArray(meant.name())) return meant;
     if (meant && meant.is("source")) return own;
-    diagnostics.report(Code::UnresolvedReference, accessor, {"accessor", std::string(accessor.attribute("source"))});
+    diagnostics.report(Code::UnresolvedReference, accessor,
+                       {"accessor", std::string(accessor.attribute("source"))});
     return own;
 }
 
-bool isNumberArray(std::string_view name) { return name == "float_array" || name == "int_array"; }
+bool isNumberArray(std::string_view name) {
+    return name == "float_array" || name == "int_array";
+}
 bool isNameArray(std::string_view name) {
     return name == "Name_array" || name == "IDREF_array" || name == "SIDREF_array" || name == "token_array";
 }
@@ -158,6 +168,10 @@ bool isNameArray(std::string_view name) {
 std::vector<std::string> readNames(XmlNode array) {
     std::string joined;
     const std::vector<std::string_view> words = splitWords(array.rawText(joined));
+    std::uint64_t count = 0;
+    if (array.is("Name_array") && parseUnsigned(array.attribute("count"), count) && count < words.size())
+        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.document().root()))
+            return std::move(*names);
     return {words.begin(), words.end()};
 }
 
@@ -175,7 +189,8 @@ struct SourceReader::Impl {
                                           Severity miscounted = Severity::Error) {
         const XmlNode array = findArray(source, documents, diagnostics, isArray);
         if (!array) {
-            diagnostics.report(Code::MissingElement, source, {"source", "float_array or Name_array of the kind that is needed"});
+            diagnostics.report(Code::MissingElement, source,
+                               {"source", "float_array or Name_array of the kind that is needed"});
             return nullptr;
         }
         std::vector<T> values = readArray(array);
@@ -229,8 +244,9 @@ std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostic
         for (const char* attribute : {"offset", "set"}) {
             if (!element.has(attribute)) continue;
             if (!parseNumber(element.attribute(attribute), number) || number < 0) {
-                diagnostics.report(Code::NumberInvalid, element,
-                                   {std::string(element.attribute(attribute)), std::string("input ") + attribute});
+                diagnostics.report(
+                    Code::NumberInvalid, element,
+                    {std::string(element.attribute(attribute)), std::string("input ") + attribute});
                 number = 0;
             }
             (*attribute == 'o' ? input.offset : input.set) = number;
@@ -238,7 +254,8 @@ std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostic
         input.hasSet = element.has("set");
         // Without interpolations everything still moves, on straight lines.
         const bool canDoWithout = input.semantic == "INTERPOLATION";
-        input.source = documents.follow(element, "source", {}, canDoWithout ? Severity::Warning : Severity::Error);
+        input.source =
+            documents.follow(element, "source", {}, canDoWithout ? Severity::Warning : Severity::Error);
         inputs.push_back(std::move(input));
     }
     return inputs;
