@@ -65,6 +65,13 @@ const Material& plainMaterial() {
     return plain;
 }
 
+struct Wireframe {
+    ShaderProgram program;
+    DeformUniforms deform;
+
+    Wireframe() : program({{"animatedModelVertex"}, {"flatFragment"}}), deform((program.start(), program)) {}
+};
+
 }  // namespace
 
 struct AnimatedModelRenderer::Impl {
@@ -88,10 +95,6 @@ struct AnimatedModelRenderer::Impl {
     std::vector<Draw> solid, seeThrough;
     BackgroundRenderer background;
     std::optional<SkeletonRenderer> skeleton;  // made when it is first needed
-    struct Wireframe {
-        ShaderProgram program{{{"animatedModelVertex"}, {"flatFragment"}}};
-        DeformUniforms deform{(program.start(), program)};
-    };
     std::optional<Wireframe> wireframe;
 
     const AnimatedModelShader& shaderFor(const Scene& scene);

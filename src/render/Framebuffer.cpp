@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -125,7 +126,9 @@ void Framebuffer::resolve() const {
     glBindFramebuffer(GL_FRAMEBUFFER, resolver_->framebuffer.id());
     glViewport(0, 0, width(), height());
     glEnable(GL_FRAMEBUFFER_SRGB);
-    for (const GLenum state : {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE}) glDisable(state);
+    for (const GLenum state :
+         std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE})
+        glDisable(state);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samplesTexture_.id());
     resolver_->program.start();
