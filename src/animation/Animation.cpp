@@ -26,46 +26,66 @@ float blend(float a, float b, float progression) {
     return a + (b - a) * progression;
 }
 
+// The keys around a time; the same one twice where it holds.
+struct Between {
+    std::size_t from = 0, to = 0;
+    float seconds = 0.0f;      // from one to the other
+    float progression = 0.0f;  // 0 at the one, 1 at the other
+};
+
 // Where two keys share a time, the search passes both: at that very time the later one counts.
 template <class Key>
-auto sampleKeys(const std::vector<Key>& keys, double seconds) {
+Between keysAround(const std::vector<Key>& keys, double seconds) {
     assert(!keys.empty());
     const auto isBefore = [](double time, const Key& key) { return time < key.seconds; };
     const auto next = std::upper_bound(keys.begin(), keys.end(), seconds, isBefore);
-    if (next == keys.begin()) return valueOf(*next);
-    const auto previous = next - 1;
-    if (next == keys.end() || previous->step) return valueOf(*previous);
-    const double progression = (seconds - previous->seconds) / (next->seconds - previous->seconds);
-    return blend(valueOf(*previous), valueOf(*next), static_cast<float>(progression));
+    if (next == keys.begin()) return {};
+    const auto to = static_cast<std::size_t>(next - keys.begin());
+    if (next == keys.end() || keys[to - 1].step) return {to - 1, to - 1, 0.0f, 0.0f};
+    const double length = keys[to].seconds - keys[to - 1].seconds;
+    return {to - 1, to, static_cast<float>(length),
+            static_cast<float>((seconds - keys[to - 1].seconds) / length)};
+}
+
+template <class Key>
+auto sampleKeys(const std::vector<Key>& keys, double seconds) {
+    const Between at = keysAround(keys, seconds);
+    if (at.from == at.to) return valueOf(keys[at.from]);
+    return blend(valueOf(keys[at.from]), valueOf(keys[at.to]), at.progression);
+}
+
+// How much of a start, its tangent, an end and its tangent make the cubic between them.
+struct CubicShares {
+    explicit CubicShares(const Between& at) {
+        const float s = at.progression, s2 = s * s, s3 = s2 * s;
+        end = 3.0f * s2 - 2.0f * s3;
+        start = 1.0f - end;
+        leaving = (s3 - 2.0f * s2 + s) * at.seconds;
+        arriving = (s3 - s2) * at.seconds;
+    }
+    template <class T>
+    T of(const T& a, const T& out, const T& b, const T& in) const {
+        return a * start + out * leaving + b * end + in * arriving;
+    }
+    float start, leaving, end, arriving;
+};
+
+JointTransform curved(const JointTransform& a, const KeyTangents::Rates& out, const JointTransform& b,
+                      const KeyTangents::Rates& in, const CubicShares& shares) {
+    return {shares.of(a.position, out.position, b.position, in.position),
+            glm::normalize(shares.of(a.rotation, out.rotation, b.rotation, in.rotation)),
+            shares.of(a.scale, out.scale, b.scale, in.scale)};
 }
 
 }  // namespace
 
-JointTransform interpolateCurved(const JointTransform& a, const KeyTangents::Rates& leaving, const JointTransform& b,
-                                 const KeyTangents::Rates& arriving, float seconds, float progression) {
-    const float s = progression, s2 = s * s, s3 = s2 * s;
-    const float fromB = 3.0f * s2 - 2.0f * s3, fromA = 1.0f - fromB;
-    const float fromLeaving = (s3 - 2.0f * s2 + s) * seconds, fromArriving = (s3 - s2) * seconds;
-    const auto cubic = [&](const auto& start, const auto& out, const auto& end, const auto& in) {
-        return start * fromA + out * fromLeaving + end * fromB + in * fromArriving;
-    };
-    return {cubic(a.position, leaving.position, b.position, arriving.position),
-            glm::normalize(cubic(a.rotation, leaving.rotation, b.rotation, arriving.rotation)),
-            cubic(a.scale, leaving.scale, b.scale, arriving.scale)};
-}
-
 JointTransform sample(const Channel& channel, double seconds) {
     const std::vector<KeyFrame>& keys = channel.keyFrames;
     if (channel.tangents.empty()) return sampleKeys(keys, seconds);
-    const auto isBefore = [](double time, const KeyFrame& key) { return time < key.seconds; };
-    const auto next = std::upper_bound(keys.begin(), keys.end(), seconds, isBefore);
-    if (next == keys.begin()) return next->transform;
-    if (next == keys.end() || (next - 1)->step) return (next - 1)->transform;
-    const auto i = static_cast<std::size_t>(next - keys.begin());
-    const double length = keys[i].seconds - keys[i - 1].seconds;
-    return interpolateCurved(keys[i - 1].transform, channel.tangents[i - 1].out, keys[i].transform,
-                             channel.tangents[i].in, static_cast<float>(length),
-                             static_cast<float>((seconds - keys[i - 1].seconds) / length));
+    const Between at = keysAround(keys, seconds);
+    if (at.from == at.to) return keys[at.from].transform;
+    return curved(keys[at.from].transform, channel.tangents[at.from].out, keys[at.to].transform,
+                  channel.tangents[at.to].in, CubicShares(at));
 }
 
 glm::mat4 sampleMatrix(const Channel& channel, double seconds) {
@@ -73,7 +93,12 @@ glm::mat4 sampleMatrix(const Channel& channel, double seconds) {
 }
 
 float sample(const ParameterTrack& track, double seconds) {
-    return sampleKeys(track.keyFrames, seconds);
+    const std::vector<ParameterKeyFrame>& keys = track.keyFrames;
+    if (track.tangents.empty()) return sampleKeys(keys, seconds);
+    const Between at = keysAround(keys, seconds);
+    if (at.from == at.to) return keys[at.from].value;
+    return CubicShares(at).of(keys[at.from].value, track.tangents[at.from].out, keys[at.to].value,
+                              track.tangents[at.to].in);
 }
 
 void sample(const Animation& animation, double seconds, Pose& pose, std::span<float> parameters) {

@@ -34,6 +34,11 @@ struct Channel {
 struct ParameterTrack {
     int parameter = 0;  // index into Model::parameters
     std::vector<ParameterKeyFrame> keyFrames{};
+    // One per key, or none, as of a Channel: change per second on either side.
+    struct Tangents {
+        float in = 0.0f, out = 0.0f;
+    };
+    std::vector<Tangents> tangents{};
 };
 
 // A clip: everything that moves between startSeconds and endSeconds of the document's timeline.
@@ -48,10 +53,6 @@ struct Animation {
 
     double lengthInSeconds() const { return endSeconds - startSeconds; }
 };
-
-// The transform at `progression` (0 to 1) of the way between two keys that are `seconds` apart.
-JointTransform interpolateCurved(const JointTransform& a, const KeyTangents::Rates& leaving, const JointTransform& b,
-                                 const KeyTangents::Rates& arriving, float seconds, float progression);
 
 // The channel's transform at a time of the document's timeline. Before the first key the first one holds,
 // after the last the last one. The channel must have keys of that kind.

@@ -24,6 +24,10 @@ int counterpart(const Joint& joint, const std::unordered_map<std::string, int>& 
 
 void scaleDistances(Channel& channel, float scale) {
     for (KeyFrame& key : channel.keyFrames) key.transform.position *= scale;
+    for (KeyTangents& tangents : channel.tangents) {
+        tangents.in.position *= scale;
+        tangents.out.position *= scale;
+    }
     for (MatrixKeyFrame& key : channel.matrixKeyFrames)
         key.matrix[3] = glm::vec4(glm::vec3(key.matrix[3]) * scale, 1.0f);
 }

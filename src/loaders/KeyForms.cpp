@@ -57,6 +57,12 @@ MatrixParts CurvedTransform::at(double s) const {
     return parts;
 }
 
+double CurvedNumber::at(double s) const {
+    const double s2 = s * s, s3 = s2 * s;
+    const double fromB = 3.0 * s2 - 2.0 * s3;
+    return (1.0 - fromB) * a + fromB * b + (s3 - 2.0 * s2 + s) * leaving + (s3 - s2) * arriving;
+}
+
 double shear(const MatrixParts& exact, const Tolerance& tolerance) {
     double most = 0.0;
     for (int column = 0; column < 3; ++column)

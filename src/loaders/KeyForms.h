@@ -76,6 +76,21 @@ struct StraightNumber {
     double at(double progression) const { return a + (b - a) * progression; }
 };
 
+struct CurvedNumber {
+    using Value = double;
+    double a = 0.0, b = 0.0;
+    double leaving = 0.0, arriving = 0.0;  // tangents at the ends, per whole of the progression
+
+    template <typename Exact>
+    static CurvedNumber through(const Exact& exact, double from, double to, double a, double b) {
+        const double third = (to - from) / 3.0;
+        const double c = exact(from + third), d = exact(to - third);
+        return {a, b, -5.5 * a + 9.0 * c - 4.5 * d + b, -a + 4.5 * c - 9.0 * d + 5.5 * b};
+    }
+    double end() const { return b; }
+    double at(double progression) const;
+};
+
 // Model-space distance, never underestimated, between where two transforms put the farthest point; of the first kind
 // without shear, which no joint transform holds.
 double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance);

@@ -116,6 +116,18 @@ void append(ParameterTrack& track, const RunFitter<StraightNumber>::Keys& keys, 
         track.keyFrames.push_back({keys.times[i], static_cast<float>(keys.values[i]), isStep});
 }
 
+void append(ParameterTrack& track, const RunFitter<CurvedNumber>::Keys& keys, bool isStep) {
+    for (std::size_t i = 0; i < keys.times.size(); ++i) {
+        track.keyFrames.push_back({keys.times[i], static_cast<float>(keys.values[i]), isStep});
+        const auto rate = [&](double tangent, std::size_t from) {
+            return static_cast<float>(tangent / (keys.times[from + 1] - keys.times[from]));
+        };
+        ParameterTrack::Tangents& tangents = track.tangents.emplace_back();
+        if (i > 0) tangents.in = rate(keys.pieces[i - 1].arriving, i - 1);
+        if (i < keys.pieces.size()) tangents.out = rate(keys.pieces[i].leaving, i);
+    }
+}
+
 // Fits every run in one form. `exact(seconds, side)` gives the motion. False where the limit came before the tolerance.
 template <typename Form, typename Exact, typename Target>
 bool fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& tolerance, bool isStraight,
@@ -178,10 +190,15 @@ ParameterTrack fitTrack(const ParameterMotion& motion, double from, double to, c
     const auto jumps = [&](double t) {
         return distance(exact(t, Side::Left), exact(t, Side::Right), tolerance) > 0.01 * tolerance.budget;
     };
-    ParameterTrack track{.parameter = motion.parameter, .keyFrames = {}};
-    fitRuns<StraightNumber>(runsOf(motion, motion.knots(from, to, limit), jumps), exact, tolerance, false,
-                            limit, track);
-    return track;
+    const std::vector<double> knots = motion.knots(from, to, limit);
+    const std::vector<Run> runs = runsOf(motion, knots, jumps);
+    ParameterTrack straight{.parameter = motion.parameter};
+    const std::size_t fewEnough = std::min(limit, 2 * knots.size() + 32);
+    const bool enough = fitRuns<StraightNumber>(runs, exact, tolerance, false, fewEnough, straight);
+    if (enough && straight.keyFrames.size() <= knots.size()) return straight;
+    ParameterTrack curved{.parameter = motion.parameter};
+    fitRuns<CurvedNumber>(runs, exact, tolerance, false, limit, curved);
+    return !enough || 2 * curved.keyFrames.size() < straight.keyFrames.size() ? curved : straight;
 }
 
 }  // namespace walkcycle

@@ -58,6 +58,14 @@ TEST(ParameterFinderTest, allMorphWeightsMoveTogetherWhereNoneIsNamed) {
                 ElementsAre(testing::FloatNear(0.5f, 1e-3f), testing::FloatNear(0.25f, 1e-3f)));
 }
 
+TEST(ParameterFinderTest, smoothWeightsTakeFewKeys) {
+    AnimationText swell{"morph-weights(0)", "0 1 2", "0 1 0"};
+    swell.interpolations = "CARDINAL";
+    const Model model = morphMoved(animations(swell.text()));
+    EXPECT_LT(model.animations.at(0).parameterTracks.at(0).keyFrames.size(), 10u);
+    for (const double seconds : {0.2, 0.7, 1.3, 1.99}) parametersAt(model, seconds);
+}
+
 TEST(ParameterFinderTest, cameraAndLightValuesMove) {
     const std::string libraries =
         "<library_cameras><camera id='cam'><optics><technique_common><perspective><xfov sid='fov'>40</xfov>"
