@@ -1,8 +1,8 @@
 #include "loaders/AssetReader.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <optional>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "loaders/NumberParser.h"
 
@@ -18,7 +18,8 @@ std::optional<UpAxis> parseUpAxis(std::string_view text) {
 
 std::optional<double> parseUnit(XmlNode unit) {
     double meters = 0.0;
-    if (!unit || !parseNumber(unit.attribute("meter"), meters) || meters < 1e-12 || meters > 1e12) return std::nullopt;
+    if (!unit || !parseNumber(unit.attribute("meter"), meters) || meters < 1e-12 || meters > 1e12)
+        return std::nullopt;
     return meters;
 }
 
@@ -32,10 +33,12 @@ Space spaceOf(XmlNode element, const Asset& document, XmlNode rootCollada) {
     Space space;
     for (; element; element = element.parent()) {
         if (element == rootCollada) break;
-        const XmlNode first = element.firstChild();  // where the schema wants it: no search through many siblings
+        const XmlNode first =
+            element.firstChild();  // where the schema wants it: no search through many siblings
         const XmlNode asset = first.is("asset") ? first : XmlNode();
         if (!space.metersPerUnit) space.metersPerUnit = parseUnit(asset.child("unit"));
-        if (!space.upAxis && asset.child("up_axis")) space.upAxis = parseUpAxis(asset.child("up_axis").text());
+        if (!space.upAxis && asset.child("up_axis"))
+            space.upAxis = parseUpAxis(asset.child("up_axis").text());
     }
     const bool inRootDocument = element == rootCollada && element;
     if (!space.metersPerUnit) space.metersPerUnit = inRootDocument ? document.metersPerUnit : 1.0;
@@ -43,7 +46,9 @@ Space spaceOf(XmlNode element, const Asset& document, XmlNode rootCollada) {
     return space;
 }
 
-bool same(const Space& a, const Space& b) { return a.metersPerUnit == b.metersPerUnit && a.upAxis == b.upAxis; }
+bool same(const Space& a, const Space& b) {
+    return a.metersPerUnit == b.metersPerUnit && a.upAxis == b.upAxis;
+}
 
 }  // namespace
 
@@ -56,7 +61,8 @@ Asset readAsset(XmlNode collada, const LoadContext& context) {
         if (!unit.attribute("name").empty()) asset.unitName = unit.attribute("name");
         const std::optional<double> meters = unit.has("meter") ? parseUnit(unit) : 1.0;
         if (!meters)
-            context.diagnostics.report(Code::BadAsset, unit, {"unit", std::string(unit.attribute("meter")), "1 metre"});
+            context.diagnostics.report(Code::BadAsset, unit,
+                                       {"unit", std::string(unit.attribute("meter")), "1 metre"});
         asset.metersPerUnit = meters.value_or(1.0);
     }
     if (const XmlNode up = element.child("up_axis")) {

@@ -1,8 +1,8 @@
 #include "loaders/ColladaDocument.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
+
+#include <tinyxml2.h>
 
 #include "io/TextEncoding.h"
 #include "loaders/Diagnostics.h"
@@ -11,7 +11,8 @@ namespace walkcycle {
 namespace {
 
 int lineAt(std::string_view text, std::size_t offset) {
-    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+    return 1 + static_cast<int>(
+                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
 std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
@@ -30,7 +31,9 @@ std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostic
 }
 
 // XML 1.0, section 2.2: of the control characters only tab, line feed and carriage return may stand in a document.
-bool isForbidden(char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r'; }
+bool isForbidden(char c) {
+    return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r';
+}
 
 // What tinyxml2 would take in silence: text after a zero byte, control characters, and entities in a DOCTYPE.
 void refuseTricks(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
@@ -38,7 +41,8 @@ void refuseTricks(const std::string& text, const std::string& file, Diagnostics&
         diagnostics.fail(Code::NotXml, file, lineAt(text, zero), {"a zero byte in the text"});
     const auto control = std::find_if(text.begin(), text.end(), isForbidden);
     if (control != text.end())
-        diagnostics.report(Code::ControlCharacter, file, lineAt(text, static_cast<std::size_t>(control - text.begin())), {});
+        diagnostics.report(Code::ControlCharacter, file,
+                           lineAt(text, static_cast<std::size_t>(control - text.begin())), {});
     const std::size_t doctype = text.find("<!DOCTYPE");
     const std::size_t root = text.find("<COLLADA");
     if (doctype == std::string::npos || doctype > root) return;
@@ -48,14 +52,22 @@ void refuseTricks(const std::string& text, const std::string& file, Diagnostics&
 
 std::string describe(const tinyxml2::XMLDocument& xml) {
     switch (xml.ErrorID()) {
-        case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "an element is not closed, or closed by another's end tag";
-        case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return "there is no element in it";
-        case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "an attribute is not written as name=\"value\"";
-        case tinyxml2::XML_ERROR_PARSING_ELEMENT: return "a tag is cut short or misspelt";
-        case tinyxml2::XML_ERROR_PARSING_TEXT: return "the text ends before its element does";
-        case tinyxml2::XML_ERROR_PARSING_COMMENT: return "a comment has no end";
-        case tinyxml2::XML_ERROR_PARSING_CDATA: return "a CDATA section has no end";
-        default: return "the markup cannot be read";
+        case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+            return "an element is not closed, or closed by another's end tag";
+        case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+            return "there is no element in it";
+        case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+            return "an attribute is not written as name=\"value\"";
+        case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+            return "a tag is cut short or misspelt";
+        case tinyxml2::XML_ERROR_PARSING_TEXT:
+            return "the text ends before its element does";
+        case tinyxml2::XML_ERROR_PARSING_COMMENT:
+            return "a comment has no end";
+        case tinyxml2::XML_ERROR_PARSING_CDATA:
+            return "a CDATA section has no end";
+        default:
+            return "the markup cannot be read";
     }
 }
 
@@ -70,7 +82,8 @@ tinyxml2::XMLElement* nextInDocument(tinyxml2::XMLElement* element) {
 
 }  // namespace
 
-ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits, Diagnostics& diagnostics)
+ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits,
+                                 Diagnostics& diagnostics)
     : file_(std::move(file)), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
     if (bytes.size() > limits.maxFileBytes)
         diagnostics.fail(Code::LimitExceeded, file_, 0,
@@ -81,7 +94,8 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
     root_ = XmlNode(xml_->RootElement(), this);
     if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
     if (const XmlNode second = root_.nextSibling())
-        diagnostics.fail(Code::NotXml, second, {"a second root element, <" + std::string(second.name()) + ">"});
+        diagnostics.fail(Code::NotXml, second,
+                         {"a second root element, <" + std::string(second.name()) + ">"});
     if (!root_.is("COLLADA")) diagnostics.fail(Code::NotCollada, root_, {std::string(root_.name())});
     indexIds(diagnostics, limits);
 }
@@ -99,7 +113,8 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
     xml_->Parse(text_.data(), text_.size());
     if (xml_->ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
         diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(), {});
-    if (xml_->Error()) diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
+    if (xml_->Error())
+        diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
     text_ = std::string();  // the DOM holds it all
 }
 
@@ -121,8 +136,9 @@ void ColladaDocument::indexIds(Diagnostics& diagnostics, const LoadLimits& limit
     std::uint64_t elements = 0;
     for (auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
         if (++elements > limits.maxElements)
-            diagnostics.fail(Code::LimitExceeded, file_, element->GetLineNum(),
-                             {"number of elements", std::to_string(elements), std::to_string(limits.maxElements)});
+            diagnostics.fail(
+                Code::LimitExceeded, file_, element->GetLineNum(),
+                {"number of elements", std::to_string(elements), std::to_string(limits.maxElements)});
         const char* id = element->Attribute("id");
         if (!id || !*id) continue;
         const auto [first, isNew] = byId_.try_emplace(id, element);

@@ -14,6 +14,7 @@ namespace walkcycle {
 Model loadCollada(const std::string& path, const LoadOptions& options = {});
 
 // The same from memory. `name` stands for the file in messages and for relative references.
-Model loadCollada(std::span<const std::uint8_t> bytes, const std::string& name, const LoadOptions& options = {});
+Model loadCollada(std::span<const std::uint8_t> bytes, const std::string& name,
+                  const LoadOptions& options = {});
 
 }  // namespace walkcycle

@@ -129,7 +129,8 @@ void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets
         const XmlNode target = targetGeometry(context_.documents.resolve(names->element, "#" + name));
         if (!target) context_.diagnostics.report(Code::UnresolvedReference, names->element, {"source", name});
         morphedPositions_ += base.mesh.positions.size();
-        context_.require(morphedPositions_, context_.options.limits.maxVertices, "number of morphed positions", morph);
+        context_.require(morphedPositions_, context_.options.limits.maxVertices,
+                         "number of morphed positions", morph);
         static const LoadedMesh kNothing;  // a target that is not there moves nothing
         const LoadedMesh& shape = target ? meshes_.load(target) : kNothing;
         result.targets.push_back(makeMorphTarget(base, shape, result.method, name));

@@ -13,7 +13,11 @@ class ControllerLoader {
 public:
     ControllerLoader(const LoadContext& context, MeshLibrary& meshes, SkeletonLoader& skeletons, Model& model,
                      AnimationTargets& targets)
-        : context_(context), meshes_(meshes), joints_(context, skeletons), skeletons_(skeletons), model_(model),
+        : context_(context),
+          meshes_(meshes),
+          joints_(context, skeletons),
+          skeletons_(skeletons),
+          model_(model),
           targets_(targets) {}
 
     // The geometry beneath the controller, and its deformers, innermost first; nothing (reported) where it leads nowhere.

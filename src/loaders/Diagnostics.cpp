@@ -22,7 +22,9 @@ constexpr int kKeptPerKind = 3;
 constexpr std::size_t kKeptOfAllKinds = 1000;
 constexpr std::size_t kLongestArgument = 200;
 
-bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+bool continuesCharacter(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
 
 std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
     std::string filled;
@@ -59,11 +61,16 @@ std::string printable(std::string_view text) {
     return length < text.size() ? shown + "..." : shown;
 }
 
-std::span<const CodeInfo> diagnosticCatalogue() { return kCatalogue; }
-const CodeInfo& info(Code code) { return kCatalogue[static_cast<std::size_t>(code)]; }
+std::span<const CodeInfo> diagnosticCatalogue() {
+    return kCatalogue;
+}
+const CodeInfo& info(Code code) {
+    return kCatalogue[static_cast<std::size_t>(code)];
+}
 
 LoadError::LoadError(std::vector<Diagnostic> all)
-    : std::runtime_error(all.empty() ? "nothing could be loaded" : toString(all.back())), diagnostics(std::move(all)) {}
+    : std::runtime_error(all.empty() ? "nothing could be loaded" : toString(all.back())),
+      diagnostics(std::move(all)) {}
 
 void Diagnostics::add(Diagnostic diagnostic, std::string elementName) {
     if (all_.size() >= kKeptOfAllKinds) elementName.clear();

@@ -27,7 +27,7 @@ enum class Code {
 
 struct CodeInfo {
     Code code;
-    const char* id;  // "WC0207"
+    const char* id;    // "WC0207"
     const char* name;  // "WrongElement"
     Severity severity;
     const char* text;  // with {0}, {1}, ...
@@ -53,7 +53,8 @@ public:
     // `where` gives file, line and element path; `line` overrides the element's own line where it is known better.
     void report(Code code, const XmlNode& where, Arguments arguments, int line = 0);
     void report(Severity severity, Code code, const XmlNode& where, Arguments arguments, int line = 0);
-    void report(Code code, const std::string& file, int line, Arguments arguments);  // where there is no element
+    void report(Code code, const std::string& file, int line,
+                Arguments arguments);  // where there is no element
 
     // Reports, then throws LoadError.
     [[noreturn]] void fail(Code code, const XmlNode& where, Arguments arguments, int line = 0);
@@ -68,7 +69,8 @@ private:
     [[noreturn]] void giveUp(Diagnostic reason);
 
     std::vector<Diagnostic> all_;
-    std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>> seen_;  // file, code, element
+    std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>>
+        seen_;  // file, code, element
 };
 
 }  // namespace walkcycle

@@ -124,7 +124,8 @@ XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::str
                             Severity severity) {
     const std::string uri = *attribute ? std::string(from.attribute(attribute)) : from.text();
     if (uri.empty() && *attribute && !from.has(attribute)) {
-        impl_->diagnostics.report(severity, Code::MissingAttribute, from, {std::string(from.name()), attribute});
+        impl_->diagnostics.report(severity, Code::MissingAttribute, from,
+                                  {std::string(from.name()), attribute});
         return {};
     }
     const XmlNode target = resolve(from, uri, severity);
@@ -133,8 +134,9 @@ XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::str
         return {};
     }
     if (!elementName.empty() && !target.is(elementName)) {
-        impl_->diagnostics.report(severity, Code::WrongElement, from, {std::string(from.name()), uri, std::string(target.name()),
-                                                             std::string(elementName)});
+        impl_->diagnostics.report(
+            severity, Code::WrongElement, from,
+            {std::string(from.name()), uri, std::string(target.name()), std::string(elementName)});
         return {};
     }
     return target;

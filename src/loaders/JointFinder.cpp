@@ -18,7 +18,9 @@ void JointFinder::indexNewJoints() {
 
 int JointFinder::depth(int joint) const {
     int steps = 0;
-    for (; joint != kNoParent; joint = skeletons_.scene().skeleton.joints[static_cast<std::size_t>(joint)].parent) ++steps;
+    for (; joint != kNoParent;
+         joint = skeletons_.scene().skeleton.joints[static_cast<std::size_t>(joint)].parent)
+        ++steps;
     return steps;
 }
 
@@ -40,7 +42,8 @@ bool JointFinder::isBelow(int joint, const std::vector<int>& roots) const {
     return false;
 }
 
-int JointFinder::pick(const Index& index, std::string_view name, const std::vector<int>& roots, int node) const {
+int JointFinder::pick(const Index& index, std::string_view name, const std::vector<int>& roots,
+                      int node) const {
     const auto found = index.find(name);
     if (found == index.end()) return kNoParent;
     constexpr std::size_t kMostCandidates = 64;  // a thousand joints of one name are damage, not a choice
@@ -72,7 +75,8 @@ int JointFinder::occurrence(XmlNode element, int node) {
     const auto [first, last] = scene.occurrences.equal_range(element);
     for (auto it = first; it != last; ++it) {
         const int shared = depth(nearestCommonAncestor(it->second, node));
-        if (shared > bestDepth || (shared == bestDepth && it->second < best)) best = it->second, bestDepth = shared;
+        if (shared > bestDepth || (shared == bestDepth && it->second < best))
+            best = it->second, bestDepth = shared;
     }
     if (best != kNoParent) return best;
     XmlNode top = element;
@@ -97,7 +101,8 @@ std::vector<int> JointFinder::skeletonRoots(XmlNode instanceController) {
     return roots;
 }
 
-int JointFinder::find(std::string_view name, bool isId, const std::vector<int>& roots, int node, XmlNode from) {
+int JointFinder::find(std::string_view name, bool isId, const std::vector<int>& roots, int node,
+                      XmlNode from) {
     if (const int joint = pickAnywhere(name, isId, roots, node); joint != kNoParent) return joint;
     const XmlNode element = context_.documents.resolve(from, "#" + std::string(name));
     return element.is("node") ? occurrence(element, node) : kNoParent;

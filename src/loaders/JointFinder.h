@@ -15,7 +15,8 @@ namespace walkcycle {
 // no scene shows are fetched from <library_nodes>.
 class JointFinder {
 public:
-    JointFinder(const LoadContext& context, SkeletonLoader& skeletons) : context_(context), skeletons_(skeletons) {}
+    JointFinder(const LoadContext& context, SkeletonLoader& skeletons)
+        : context_(context), skeletons_(skeletons) {}
 
     // The joints that the <skeleton>s of an <instance_controller> name; empty where it has none (or none that is there).
     std::vector<int> skeletonRoots(XmlNode instanceController);

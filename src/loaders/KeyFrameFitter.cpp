@@ -155,11 +155,19 @@ Channel fitMatrices(const JointMotion& motion, const std::vector<Run>& runs, con
     return channel;
 }
 
+// How many keys a motion may get whose file has so many times: a turn of a thousand rounds between two keys must not
+// cost more than the file itself is worth. What is lost by that is measured and said (WC0513).
+std::size_t mostKeys(std::size_t knots, std::size_t limit) {
+    return std::min(limit, 4096 + 64 * knots);
+}
+
 }  // namespace
 
 Channel fitChannel(const JointMotion& motion, double from, double to, const Tolerance& tolerance,
                    std::size_t limit) {
-    const std::vector<double> knots = withTurnsCut(motion, motion.knots(from, to, limit), limit);
+    const std::vector<double> times = motion.knots(from, to, limit);
+    limit = mostKeys(times.size(), limit);
+    const std::vector<double> knots = withTurnsCut(motion, times, limit);
     const auto jumps = [&](double t) {
         return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),
                         tolerance) > 0.01 * tolerance.budget;
@@ -191,6 +199,7 @@ ParameterTrack fitTrack(const ParameterMotion& motion, double from, double to, c
         return distance(exact(t, Side::Left), exact(t, Side::Right), tolerance) > 0.01 * tolerance.budget;
     };
     const std::vector<double> knots = motion.knots(from, to, limit);
+    limit = mostKeys(knots.size(), limit);
     const std::vector<Run> runs = runsOf(motion, knots, jumps);
     ParameterTrack straight{.parameter = motion.parameter};
     const std::size_t fewEnough = std::min(limit, 2 * knots.size() + 32);

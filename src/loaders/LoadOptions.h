@@ -16,14 +16,14 @@ namespace walkcycle {
 // What a load may cost. Honest files of 150 MB fit; each is named in the message that it raises.
 struct LoadLimits {
     std::uint64_t maxFileBytes = std::uint64_t{1} << 30;
-    std::uint64_t maxElements = 20'000'000;     // XML elements of one document
-    std::uint64_t maxNodes = 200'000;           // scene nodes, instances of instance_node counted each time
-    std::uint64_t maxInstances = 100'000;       // drawn meshes
-    std::uint64_t maxVertices = 100'000'000;    // of all drawn meshes together
-    std::uint64_t maxSkinJoints = 5'000'000;    // of all instances of skins together
+    std::uint64_t maxElements = 20'000'000;   // XML elements of one document
+    std::uint64_t maxNodes = 200'000;         // scene nodes, instances of instance_node counted each time
+    std::uint64_t maxInstances = 100'000;     // drawn meshes
+    std::uint64_t maxVertices = 100'000'000;  // of all drawn meshes together
+    std::uint64_t maxSkinJoints = 5'000'000;  // of all instances of skins together
     std::uint64_t maxInfluencesPerVertex = 1024;
-    std::uint64_t maxKeyFrames = 20'000'000;    // made by the loader
-    std::uint64_t maxDocuments = 256;           // other documents that this one refers to
+    std::uint64_t maxKeyFrames = 20'000'000;  // made by the loader
+    std::uint64_t maxDocuments = 256;         // other documents that this one refers to
     ImageLimits image;
     ArchiveLimits archive;
 };
@@ -36,7 +36,7 @@ enum class SkinNode { Auto, Apply, Ignore };
 using FileResolver = std::function<std::optional<Bytes>(const std::string& path)>;
 
 struct LoadOptions {
-    bool convert = true;  // to Y-up metres, once, at the root
+    bool convert = true;                  // to Y-up metres, once, at the root
     std::optional<UpAxis> upAxis;         // instead of the document's own
     std::optional<double> metersPerUnit;  // instead of the document's own
     SkinNode skinNode = SkinNode::Auto;
@@ -44,7 +44,8 @@ struct LoadOptions {
     std::string texture;  // a picture to use for every diffuse texture
     std::vector<std::string> allowedPaths;  // folders outside the document's own that may be read
     bool loadImages = true;
-    double tolerance = 1e-4;  // largest error of the keyframes against the file's curves, as a share of the model's size
+    double tolerance =
+        1e-4;  // largest error of the keyframes against the file's curves, as a share of the model's size
     LoadLimits limits;
     std::function<void(double)> progress;  // called with 0..1 now and then
     std::function<bool()> cancelled;       // asked now and then; true stops the load with LoadError WC0802

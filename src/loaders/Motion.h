@@ -22,8 +22,9 @@ struct CurveBinding {
     std::size_t element = 0;    // of JointMotion::stack
     std::size_t first = 0;      // of the element's numbers
     std::size_t count = 1;
-    double scale = 1.0;  // of the curve's values: an <asset> on the animation may count in another unit, or backwards
-    int channel = 0;     // in document order
+    double scale =
+        1.0;  // of the curve's values: an <asset> on the animation may count in another unit, or backwards
+    int channel = 0;  // in document order
     // Where several channels move the same numbers one after the other, each rules from its first key on.
     double from = -std::numeric_limits<double>::infinity();
 };

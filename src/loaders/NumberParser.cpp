@@ -8,23 +8,27 @@ namespace walkcycle {
 namespace {
 
 // Every control character counts as white space: exporters have written all of them.
-bool isSpace(char c) { return static_cast<unsigned char>(c) <= ' '; }
+bool isSpace(char c) {
+    return static_cast<unsigned char>(c) <= ' ';
+}
 
 // A number too small to be told from zero is zero; one too large is a fault. from_chars reports both alike.
 template <typename T>
 bool roundsToZero(const char* first, const char* last, T& value) {
     const std::string_view token(first, static_cast<std::size_t>(last - first));
     const std::size_t exponent = token.find_first_of("eE");
-    const bool smallExponent = exponent != std::string_view::npos && exponent + 1 < token.size() &&
-                               token[exponent + 1] == '-';
-    const bool fraction = exponent == std::string_view::npos && token.find_first_of("123456789") > token.find('.');
+    const bool smallExponent =
+        exponent != std::string_view::npos && exponent + 1 < token.size() && token[exponent + 1] == '-';
+    const bool fraction =
+        exponent == std::string_view::npos && token.find_first_of("123456789") > token.find('.');
     value = T{};
     return smallExponent || fraction;
 }
 
 template <typename T>
 bool parseToken(const char* first, const char* last, T& value) {
-    if (last - first > 1 && *first == '+' && first[1] != '-') ++first;  // from_chars knows no plus sign; XML does
+    if (last - first > 1 && *first == '+' && first[1] != '-')
+        ++first;  // from_chars knows no plus sign; XML does
     const auto [end, error] = std::from_chars(first, last, value);
     if (end != last) return false;
     if constexpr (std::is_floating_point_v<T>) {
@@ -49,7 +53,8 @@ void parseList(std::string_view text, std::vector<T>& values, std::vector<Number
         if (!parseToken(token, at, value)) {
             value = T{};
             if (faults.size() < kMaxFaults)
-                faults.push_back({values.size() - before, static_cast<std::size_t>(token - text.data()),
+                faults.push_back({values.size() - before,
+                                  static_cast<std::size_t>(token - text.data()),
                                   {token, static_cast<std::size_t>(at - token)}});
         }
         values.push_back(value);
@@ -70,13 +75,20 @@ void parseNumbers(std::string_view text, std::vector<float>& values, std::vector
 void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults) {
     parseList(text, values, faults);
 }
-void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std::vector<NumberFault>& faults) {
+void parseNumbers(std::string_view text, std::vector<std::int32_t>& values,
+                  std::vector<NumberFault>& faults) {
     parseList(text, values, faults);
 }
 
-bool parseNumber(std::string_view text, double& value) { return parseOne(text, value); }
-bool parseNumber(std::string_view text, std::int32_t& value) { return parseOne(text, value); }
-bool parseUnsigned(std::string_view text, std::uint64_t& value) { return parseOne(text, value); }
+bool parseNumber(std::string_view text, double& value) {
+    return parseOne(text, value);
+}
+bool parseNumber(std::string_view text, std::int32_t& value) {
+    return parseOne(text, value);
+}
+bool parseUnsigned(std::string_view text, std::uint64_t& value) {
+    return parseOne(text, value);
+}
 
 std::string_view trim(std::string_view text) {
     while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);

@@ -8,9 +8,13 @@ namespace {
 
 constexpr std::size_t kWorthCutting = 32;  // shorter texts cost less in place
 
-bool endsName(char c) { return c == '>' || c == '/' || c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool endsName(char c) {
+    return c == '>' || c == '/' || c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
 
-int countLines(std::string_view text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+int countLines(std::string_view text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
 
 // Walks the markup; everything between `copied_` and the cut is carried over.
 class Cutter {
@@ -18,7 +22,8 @@ public:
     explicit Cutter(std::string_view document) : document_(document) {}
 
     std::optional<CutDocument> cut() {
-        for (std::size_t at = document_.find('<'); at != std::string_view::npos; at = document_.find('<', at)) {
+        for (std::size_t at = document_.find('<'); at != std::string_view::npos;
+             at = document_.find('<', at)) {
             at = startsWith(at, "<!") || startsWith(at, "<?") ? afterSpecial(at) : afterTag(at);
             if (at == std::string_view::npos) return std::nullopt;
         }
@@ -27,7 +32,9 @@ public:
     }
 
 private:
-    bool startsWith(std::size_t at, std::string_view start) const { return document_.substr(at, start.size()) == start; }
+    bool startsWith(std::size_t at, std::string_view start) const {
+        return document_.substr(at, start.size()) == start;
+    }
 
     std::size_t after(std::size_t at, std::string_view end) const {
         const std::size_t found = document_.find(end, at);
@@ -89,9 +96,12 @@ private:
 }  // namespace
 
 bool holdsNumberText(std::string_view elementName) {
-    return elementName == "float_array" || elementName == "p" || elementName == "v" || elementName == "vcount";
+    return elementName == "float_array" || elementName == "p" || elementName == "v" ||
+           elementName == "vcount";
 }
 
-std::optional<CutDocument> cutNumberText(std::string_view document) { return Cutter(document).cut(); }
+std::optional<CutDocument> cutNumberText(std::string_view document) {
+    return Cutter(document).cut();
+}
 
 }  // namespace walkcycle

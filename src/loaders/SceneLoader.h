@@ -12,7 +12,8 @@ namespace walkcycle {
 XmlNode findVisualScene(XmlNode collada, const LoadContext& context);
 
 // The scene's cameras and lights, and their elements for the channels that animate them.
-void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets);
+void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& model,
+                 AnimationTargets& targets);
 void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets);
 
 }  // namespace walkcycle

@@ -1,9 +1,9 @@
 #include "loaders/SkinLoader.h"
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 #include <cmath>
 #include <unordered_set>
+
+#include <glm/gtc/matrix_inverse.hpp>
 
 #include "loaders/SkinNodeQuirk.h"
 #include "loaders/WeightsReader.h"
@@ -16,7 +16,8 @@ template <typename T>
 glm::mat4 affineFromRows(const T* rows) {
     glm::mat4 matrix(1.0f);
     for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column) matrix[column][row] = static_cast<float>(rows[row * 4 + column]);
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = static_cast<float>(rows[row * 4 + column]);
     return matrix;
 }
 
@@ -37,7 +38,8 @@ glm::mat4 readBindShapeMatrix(XmlNode skin, const LoadContext& context) {
         return glm::mat4(1.0f);
     }
     const glm::mat4 matrix = affineFromRows(values.data());
-    if (isSingular(matrix)) context.diagnostics.report(Code::SingularBindMatrix, element, {"bind shape matrix"});
+    if (isSingular(matrix))
+        context.diagnostics.report(Code::SingularBindMatrix, element, {"bind shape matrix"});
     return matrix;
 }
 
@@ -45,8 +47,9 @@ void readInverseBindMatrices(const Input& input, const LoadContext& context, Ski
     const auto source = input.source ? context.sources.floats(input.source, Numbers::Error) : nullptr;
     if (!source) return;
     if (source->width != 16) {
-        context.diagnostics.report(Code::CountMismatch, source->element,
-                                   {"source of INV_BIND_MATRIX", "16", "values an entry", std::to_string(source->width)});
+        context.diagnostics.report(
+            Code::CountMismatch, source->element,
+            {"source of INV_BIND_MATRIX", "16", "values an entry", std::to_string(source->width)});
         return;
     }
     bool singular = false;
@@ -54,7 +57,8 @@ void readInverseBindMatrices(const Input& input, const LoadContext& context, Ski
         data.inverseBindMatrices.push_back(affineFromRows((*source)[i]));
         singular |= isSingular(data.inverseBindMatrices.back());
     }
-    if (singular) context.diagnostics.report(Code::SingularBindMatrix, source->element, {"inverse bind matrix"});
+    if (singular)
+        context.diagnostics.report(Code::SingularBindMatrix, source->element, {"inverse bind matrix"});
 }
 
 void readJointNames(const Input& input, const LoadContext& context, SkinData& data) {
@@ -62,7 +66,8 @@ void readJointNames(const Input& input, const LoadContext& context, SkinData& da
     if (names) data.jointNames = names->values;
     std::unordered_set<std::string_view> seen;
     for (const std::string& name : data.jointNames)
-        if (!seen.insert(name).second) context.diagnostics.report(Code::DuplicateJoint, input.element, {name});
+        if (!seen.insert(name).second)
+            context.diagnostics.report(Code::DuplicateJoint, input.element, {name});
 }
 
 // Takes the matrices of the rest pose where the file gives none.
@@ -73,8 +78,8 @@ glm::mat4 restInverseBind(const SceneGraph& scene, int joint) {
     return std::abs(glm::determinant(world)) > 1e-30 ? glm::mat4(glm::inverse(world)) : glm::mat4(1.0f);
 }
 
-void placeByNode(const SceneGraph::Instance& instance, int ancestor, const Asset& asset, const LoadContext& context,
-                 Skin& skin) {
+void placeByNode(const SceneGraph::Instance& instance, int ancestor, const Asset& asset,
+                 const LoadContext& context, Skin& skin) {
     skin.placedBy = instance.node;
     skin.placedRelativeTo = ancestor;
     const std::string node(instance.element.parent().attribute("name"));
@@ -83,7 +88,8 @@ void placeByNode(const SceneGraph::Instance& instance, int ancestor, const Asset
 
 }  // namespace
 
-bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& context, Model& model, SkinData& data) {
+bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& context, Model& model,
+              SkinData& data) {
     data.skin = skin;
     data.bindShapeMatrix = readBindShapeMatrix(skin, context);
     const XmlNode joints = skin.child("joints");
@@ -98,8 +104,9 @@ bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& contex
     if (data.inverseBindMatrices.empty() && hasNames)
         context.diagnostics.report(Code::InverseBindMissing, joints, {});
     else if (data.inverseBindMatrices.size() != data.jointNames.size())
-        context.diagnostics.report(Code::JointMatrixMismatch, joints,
-                                   {std::to_string(data.jointNames.size()), std::to_string(data.inverseBindMatrices.size())});
+        context.diagnostics.report(
+            Code::JointMatrixMismatch, joints,
+            {std::to_string(data.jointNames.size()), std::to_string(data.inverseBindMatrices.size())});
 
     const XmlNode weights = skin.child("vertex_weights");
     if (!weights) context.diagnostics.report(Code::MissingElement, skin, {"skin", "vertex_weights"});
@@ -109,8 +116,8 @@ bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& contex
     return true;
 }
 
-Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints, SceneGraph& scene,
-              const LoadContext& context, const Asset& asset) {
+Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints,
+              SceneGraph& scene, const LoadContext& context, const Asset& asset) {
     Skin skin;
     skin.bindShapeMatrix = data.bindShapeMatrix;
     const std::vector<int> roots = joints.skeletonRoots(instance.element);

@@ -18,10 +18,11 @@ struct SkinData {
 };
 
 // Reads a <skin> for a mesh of so many positions; nothing usable (reported): false.
-bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& context, Model& model, SkinData& data);
+bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& context, Model& model,
+              SkinData& data);
 
 // Binds it: which occurrences of which nodes are its joints when it hangs on `node`.
-Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints, SceneGraph& scene,
-              const LoadContext& context, const Asset& asset);
+Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints,
+              SceneGraph& scene, const LoadContext& context, const Asset& asset);
 
 }  // namespace walkcycle

@@ -13,6 +13,12 @@ bool isInside(const fs::path& path, const fs::path& folder) {
     return end == folder.end() || (std::next(end) == folder.end() && end->empty());
 }
 
+// Absolute first: of a relative path that is not there weakly_canonical makes nothing absolute.
+fs::path trueLocation(const fs::path& path, std::error_code& error) {
+    const fs::path absolute = fs::absolute(path, error);
+    return error ? fs::path() : fs::weakly_canonical(absolute, error);
+}
+
 std::vector<std::string> namesIn(const Archive& archive, const fs::path& folder) {
     const fs::path normal = folder.lexically_normal();
     std::vector<std::string> names;
@@ -34,23 +40,25 @@ std::vector<std::string> namesIn(const fs::path& folder) {
     return names;
 }
 
-char lowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+char lowerCase(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
 
 }  // namespace
 
 void Surroundings::useFolder(const fs::path& folder) {
     std::error_code error;
-    root_ = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    root_ = trueLocation(folder.empty() ? fs::path(".") : folder, error);
 }
 
 bool Surroundings::mayOpen(const fs::path& path) const {
     std::error_code error;
-    const fs::path canonical = fs::weakly_canonical(path, error);
+    const fs::path meant = trueLocation(path, error);
     if (error || !root_) return false;
-    if (isInside(canonical, *root_)) return true;
-    return std::any_of(options_.allowedPaths.begin(), options_.allowedPaths.end(), [&](const std::string& allowed) {
-        return isInside(canonical, fs::weakly_canonical(fs::path(allowed), error));
-    });
+    if (isInside(meant, *root_)) return true;
+    return std::any_of(
+        options_.allowedPaths.begin(), options_.allowedPaths.end(),
+        [&](const std::string& allowed) { return isInside(meant, trueLocation(fs::path(allowed), error)); });
 }
 
 std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& path) const {

@@ -17,7 +17,8 @@ class Diagnostics;
 // Nothing outside the document's folder tree is opened unless LoadOptions::allowedPaths has it.
 class Surroundings {
 public:
-    Surroundings(const LoadOptions& options, Diagnostics& diagnostics) : options_(options), diagnostics_(diagnostics) {}
+    Surroundings(const LoadOptions& options, Diagnostics& diagnostics)
+        : options_(options), diagnostics_(diagnostics) {}
 
     void useFolder(const std::filesystem::path& folder);
     void useArchive(Archive archive) { archive_.emplace(std::move(archive)); }
@@ -34,7 +35,8 @@ private:
     const LoadOptions& options_;
     Diagnostics& diagnostics_;
     std::optional<Archive> archive_;
-    std::optional<std::filesystem::path> root_;  // canonical; none: a document in memory, with no files around it
+    std::optional<std::filesystem::path>
+        root_;  // canonical; none: a document in memory, with no files around it
 };
 
 // The one of `names` that differs from `name` in case alone (Windows and macOS do not tell them apart); empty if none.

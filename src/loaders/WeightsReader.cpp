@@ -45,8 +45,9 @@ bool readLayout(XmlNode vertexWeights, const LoadContext& context, Layout& layou
         }
     }
     if (hasJoints && layout.weights) return true;
-    context.diagnostics.report(Code::MissingElement, vertexWeights,
-                               {"vertex_weights", hasJoints ? "input semantic=\"WEIGHT\"" : "input semantic=\"JOINT\""});
+    context.diagnostics.report(
+        Code::MissingElement, vertexWeights,
+        {"vertex_weights", hasJoints ? "input semantic=\"WEIGHT\"" : "input semantic=\"JOINT\""});
     return false;
 }
 
@@ -70,7 +71,8 @@ public:
 
     void report() const {
         Diagnostics& diagnostics = context_.diagnostics;
-        if (found_.negative) diagnostics.report(Code::NegativeWeight, element_, {std::to_string(found_.negative)});
+        if (found_.negative)
+            diagnostics.report(Code::NegativeWeight, element_, {std::to_string(found_.negative)});
         if (found_.unnormalised)
             diagnostics.report(Code::WeightsNotNormalised, element_,
                                {std::to_string(found_.unnormalised), format(found_.worstSum)});
@@ -92,12 +94,15 @@ private:
         const float value = (*layout_.weights)[static_cast<std::size_t>(weight)][0];
         if (value < 0.0f) ++found_.negative;
         if (value > 0.0f)
-            out.influences.push_back({joint < 0 ? static_cast<std::uint32_t>(jointCount_) : static_cast<std::uint32_t>(joint), value});
+            out.influences.push_back(
+                {joint < 0 ? static_cast<std::uint32_t>(jointCount_) : static_cast<std::uint32_t>(joint),
+                 value});
     }
 
     void outOfRange(const char* what, std::int32_t index, std::size_t count) const {
         context_.diagnostics.report(Code::InfluenceOutOfRange, element_,
-                                    {what, std::to_string(index), std::to_string(count)}, element_.child("v").line());
+                                    {what, std::to_string(index), std::to_string(count)},
+                                    element_.child("v").line());
     }
 
     void normalise(Influences& out, std::size_t begin) {
@@ -141,18 +146,21 @@ std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, 
     for (const std::int32_t count : counts) {
         if (usable.size() == positionCount) break;
         const auto wanted = static_cast<std::size_t>(std::max(0, count));
-        context.require(wanted, context.options.limits.maxInfluencesPerVertex, "influences of a vertex", element);
+        context.require(wanted, context.options.limits.maxInfluencesPerVertex, "influences of a vertex",
+                        element);
         if (count < 0 || wanted > groups - used) {
-            context.diagnostics.report(Code::CountMismatch, element ? element : vertexWeights,
-                                       {"v", "at least " + std::to_string(used + wanted), "influences", std::to_string(groups)});
+            context.diagnostics.report(
+                Code::CountMismatch, element ? element : vertexWeights,
+                {"v", "at least " + std::to_string(used + wanted), "influences", std::to_string(groups)});
             return usable;
         }
         used += wanted;
         usable.push_back(wanted);
     }
     if (used != groups && usable.size() == counts.size())
-        context.diagnostics.report(Code::CountMismatch, element ? element : vertexWeights,
-                                   {"vcount", std::to_string(used), "influences", std::to_string(groups) + " in <v>"});
+        context.diagnostics.report(
+            Code::CountMismatch, element ? element : vertexWeights,
+            {"vcount", std::to_string(used), "influences", std::to_string(groups) + " in <v>"});
     return usable;
 }
 
@@ -167,7 +175,8 @@ Influences readWeights(XmlNode vertexWeights, std::size_t positionCount, std::si
     Reader reader(vertexWeights, context, layout, jointCount);
     if (usable) {
         const std::vector<std::int32_t> v = readInts(vertexWeights.child("v"), context.diagnostics);
-        const std::vector<std::size_t> counts = readVcounts(vertexWeights, v.size() / layout.stride, positionCount, context);
+        const std::vector<std::size_t> counts =
+            readVcounts(vertexWeights, v.size() / layout.stride, positionCount, context);
         std::size_t at = 0;
         for (const std::size_t count : counts) {
             reader.add(v.data() + at, count, out);

@@ -45,7 +45,8 @@ public:
     std::string text() const;
     // The same without a copy where the text is in one piece; otherwise joined into `joined`. Not trimmed.
     std::string_view rawText(std::string& joined) const;
-    int textLine(std::size_t offset = 0) const;  // of a character of rawText; the element's line if it has no text
+    int textLine(
+        std::size_t offset = 0) const;  // of a character of rawText; the element's line if it has no text
 
     int line() const;
     std::string path() const;  // "COLLADA/library_geometries/geometry[id=body]/mesh"

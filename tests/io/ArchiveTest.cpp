@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "io/TestFolder.h"
 #include "io/Archive.h"
+#include "io/TestFolder.h"
 
 namespace walkcycle {
 namespace {

@@ -3,8 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/TestFolder.h"
 #include "io/File.h"
+#include "io/TestFolder.h"
 
 namespace walkcycle {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/TestFolder.h"
 #include "io/Image.h"
+#include "io/TestFolder.h"
 
 namespace walkcycle {
 namespace {
