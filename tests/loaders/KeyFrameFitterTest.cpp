@@ -150,6 +150,13 @@ TEST(KeyFrameFitterTest, aConstantMirrorIsAJointTransform) {
     EXPECT_LT(largestError(model), kAllowed);
 }
 
+TEST(KeyFrameFitterTest, aMillionTurnsBetweenTwoKeysCostNoMillionKeys) {
+    const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 1", "0 360000000"}.text());
+    EXPECT_LT(model.animations.at(0).channels.at(0).keyFrames.size(), 10000u);
+    ASSERT_EQ(model.diagnostics.size(), 1u);  // what that costs is said
+    EXPECT_EQ(model.diagnostics[0].code, "WC0513");
+}
+
 TEST(KeyFrameFitterTest, aWiderToleranceTakesFewerKeys) {
     AnimationText swing{"box/r.ANGLE", "0 1", "0 80"};
     swing.interpolations = "CARDINAL";

@@ -39,6 +39,15 @@ TEST(SurroundingsTest, onlyTheDocumentsFolderIsOpenUnlessAllowed) {
     EXPECT_EQ(read(surroundings, folder.path("secret.txt")), "nothing");
 }
 
+TEST(SurroundingsTest, aRelativePathThatIsNotThereIsNotOutside) {
+    LoadOptions options;
+    Diagnostics diagnostics;
+    Surroundings surroundings(options, diagnostics);
+    surroundings.useFolder("");  // `walkcycle view hero.dae`: the folder is the working one
+    EXPECT_EQ(read(surroundings, "no such picture.png"), "nothing");
+    EXPECT_THAT(diagnostics.all(), IsEmpty());
+}
+
 TEST(SurroundingsTest, aLinkThatLeadsOutIsNoWayOut) {
     const TestFolder folder;
     folder.write("doc/a.txt", "inside");
