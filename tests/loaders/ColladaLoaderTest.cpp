@@ -26,7 +26,7 @@ std::string with(std::string text, const std::string& old, const std::string& re
 }
 
 std::string fixture(const std::string& name) {
-    return std::string(WALKCYCLE_FIXTURES) + "/" + name;
+    return WALKCYCLE_FIXTURES "/" + name;
 }
 
 TEST(ColladaLoaderTest, aCharacterWithEverythingUnusualPlays) {

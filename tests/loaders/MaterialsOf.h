@@ -15,7 +15,7 @@ struct MaterialsOf {
         : options(std::move(loadOptions)), root(documents.openFile(path).root()) {}
 
     static std::string fixture(const std::string& name) {
-        return std::string(WALKCYCLE_FIXTURES) + "/" + name;
+        return WALKCYCLE_FIXTURES "/" + name;
     }
 
     // A triangle that asks for a material of that symbol.
