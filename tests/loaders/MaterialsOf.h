@@ -14,9 +14,7 @@ struct MaterialsOf {
     explicit MaterialsOf(const std::string& path, LoadOptions loadOptions = {})
         : options(std::move(loadOptions)), root(documents.openFile(path).root()) {}
 
-    static std::string fixture(const std::string& name) {
-        return WALKCYCLE_FIXTURES "/" + name;
-    }
+    static std::string fixture(const std::string& name) { return WALKCYCLE_FIXTURES "/" + name; }
 
     // A triangle that asks for a material of that symbol.
     static MeshData meshAsking(const std::string& symbol) {
