@@ -10,7 +10,7 @@ namespace walkcycle {
 namespace {
 
 Model load(const std::string& name) {
-    return loadCollada(WALKCYCLE_FIXTURES "/geometry-" + std::string(name) + ".dae");
+    return loadCollada(WALKCYCLE_FIXTURES "/geometry-" + name + ".dae");
 }
 
 double areaOf(const MeshData& mesh) {
