@@ -175,13 +175,13 @@ double secondsFor(const Points& points, const std::vector<std::uint32_t>& ends) 
 
 TEST(TriangulationTest, aHundredThousandCornersDoNotHang) {
     const Points jagged = star(100'000, 7, 0.2f);
-    EXPECT_LT(secondsFor(jagged, {100'000}), 10.0);
+    EXPECT_LT(secondsFor(jagged, {100'000}), 60.0);  // a hang, on however busy a machine
 
     std::mt19937 random(3);
     std::uniform_real_distribution<float> anywhere(0.0f, 1.0f);
     Points tangle;
     for (int i = 0; i < 100'000; ++i) tangle.push_back({anywhere(random), anywhere(random), 0.0f});
-    EXPECT_LT(secondsFor(tangle, {100'000}), 10.0);
+    EXPECT_LT(secondsFor(tangle, {100'000}), 60.0);
 }
 
 TEST(TriangulationTest, aHonestHugeOutlineIsCoveredExactly) {
