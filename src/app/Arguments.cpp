@@ -19,7 +19,7 @@ void Arguments::option(const std::string& names, const std::string& value, const
 }
 
 void Arguments::option(const std::string& names, const std::string& value, const std::string& help,
-                       std::function<void(const std::string&)> set) {
+                       const std::function<void(const std::string&)>& set) {
     app_.add_option_function<std::string>(names, set, help)->option_text(value)->group(group_);
 }
 

@@ -25,7 +25,7 @@ public:
     void option(const std::string& names, const std::string& value, const std::string& help,
                 std::string& target);
     void option(const std::string& names, const std::string& value, const std::string& help,
-                std::function<void(const std::string&)> set);
+                const std::function<void(const std::string&)>& set);
     // May be given several times.
     void options(const std::string& names, const std::string& value, const std::string& help,
                  std::vector<std::string>& target);
