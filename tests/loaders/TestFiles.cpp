@@ -18,7 +18,7 @@ std::uint32_t crc32(std::string_view text) {
 }
 
 void put(Bytes& bytes, std::uint64_t value, int size) {  // the low byte first, as both formats have it
-    for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(i < 8 ? value >> (8 * i) : 0));
 }
 
 void put(Bytes& bytes, std::string_view text) {
