@@ -26,6 +26,27 @@ function(walkcycle_keep_libraries program)
     endif()
 endfunction()
 
+# The standard library's and GLM's headers, compiled once for all of src, or once for all tests with GoogleTest's:
+# walkcycle_precompile(TARGET FROM), where FROM is walkcycle_precompiled or tests_precompiled.
+set(WALKCYCLE_STEADY_HEADERS <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
+    <stdexcept> <string> <string_view> <unordered_map> <vector> <glm/geometric.hpp> <glm/mat4x4.hpp> <glm/matrix.hpp>
+    <glm/gtc/quaternion.hpp>)
+function(walkcycle_precompile target from)
+    if(WALKCYCLE_PRECOMPILE)
+        target_precompile_headers(${target} REUSE_FROM ${from})
+        target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # ccache wants it
+    endif()
+endfunction()
+function(walkcycle_add_precompiled name)
+    if(WALKCYCLE_PRECOMPILE)
+        target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+        target_precompile_headers(${name} PRIVATE ${WALKCYCLE_STEADY_HEADERS} ${ARGN})
+    endif()
+endfunction()
+add_library(walkcycle_precompiled OBJECT "${PROJECT_SOURCE_DIR}/cmake/Precompiled.cpp")
+target_link_libraries(walkcycle_precompiled PRIVATE walkcycle_warnings glm::glm)
+walkcycle_add_precompiled(walkcycle_precompiled)
+
 function(walkcycle_add_library folder)
     cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
@@ -37,4 +58,5 @@ function(walkcycle_add_library folder)
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/walkcycle>)
     target_link_libraries(walkcycle_${folder} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:walkcycle_warnings>)
+    walkcycle_precompile(walkcycle_${folder} walkcycle_precompiled)
 endfunction()

@@ -1,0 +1,1 @@
+// Holds the precompiled headers (see WalkcycleTarget.cmake); there is nothing to compile.
