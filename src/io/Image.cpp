@@ -2,21 +2,41 @@
 
 #include <array>
 #include <climits>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
 #include <webp/decode.h>
 
+#include "io/ImageSize.h"
+#include "io/Jpeg.h"
+
+namespace {
+
+// The largest block that stb_image may ask for: it believes the lengths that a file claims, so that some two hundred
+// bytes of PNG ask for two gigabytes.
+thread_local std::size_t largestBlock = 0;
+
+void* allocateBlock(std::size_t bytes) {
+    return bytes <= largestBlock ? std::malloc(bytes) : nullptr;
+}
+void* resizeBlock(void* block, std::size_t bytes) {
+    return bytes <= largestBlock ? std::realloc(block, bytes) : nullptr;
+}
+
+}  // namespace
+
 // stb_image's own code, with only the formats that textures come in. The limits that matter are checked
 // below.
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
 #define STBI_ONLY_GIF
 #define STBI_ONLY_PSD
-#define STBI_ONLY_PNM
 #define STBI_NO_STDIO
+#define STBI_MALLOC(bytes) allocateBlock(bytes)
+#define STBI_REALLOC(block, bytes) resizeBlock(block, bytes)
+#define STBI_FREE(block) std::free(block)
 #define STBI_MAX_DIMENSIONS 65536
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
@@ -30,27 +50,6 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-// A compressed pixel takes a share of a byte, but there is an end to it: PNG's deflate packs at most 1032 to
-// 1, so a byte gives at most some 8,000 one-bit pixels. A file that claims more is cut short or a bomb.
-constexpr std::int64_t kMostPixelsPerByte = 16384;
-
-void checkSize(std::int64_t width, std::int64_t height, const ImageLimits& limits) {
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width <= 0 || height <= 0) throw ImageError("the picture has no pixels (" + size + ")");
-    if (width > limits.maxDimension || height > limits.maxDimension)
-        throw ImageError("the picture is " + size + " pixels; the limit is " +
-                         std::to_string(limits.maxDimension) + " a side");
-    if (width * height > limits.maxPixels)
-        throw ImageError("the picture is " + size + " pixels; the limit is " +
-                         std::to_string(limits.maxPixels) + " in all");
-}
-
-Image emptyImage(int width, int height, bool hasAlpha) {
-    Image image{.width = width, .height = height, .hasAlpha = hasAlpha, .rgba = {}};
-    image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    return image;
-}
-
 bool isWebp(ByteSpan bytes) {
     return bytes.size() >= 12 && std::memcmp(bytes.data(), "RIFF", 4) == 0 &&
            std::memcmp(bytes.data() + 8, "WEBP", 4) == 0;
@@ -61,7 +60,7 @@ Image decodeWebp(ByteSpan bytes, const ImageLimits& limits) {
     if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK)
         throw ImageError("the WebP header is damaged");
     if (features.has_animation) throw ImageError("animated WebP is not supported");
-    checkSize(features.width, features.height, limits);
+    checkSize(features.width, features.height, bytes.size(), limits);
     Image image = emptyImage(features.width, features.height, features.has_alpha != 0);
     if (!WebPDecodeRGBAInto(bytes.data(), bytes.size(), image.rgba.data(), image.rgba.size(),
                             image.width * 4))
@@ -79,25 +78,28 @@ void dropEmptyAlpha(Image& image) {
 }
 
 bool isTga(ByteSpan bytes) {  // TGA has no signature: what nothing else claims
-    const std::array<ByteSpan::value_type, 6> firsts = {0x89, 0xFF, 'B', 'G', '8', 'P'};
+    const std::array<ByteSpan::value_type, 5> firsts = {0x89, 'B', 'G', '8', 'P'};
     for (const std::uint8_t first : firsts)
         if (bytes[0] == first) return false;
     return true;
 }
 
+// An honest file's largest block is its pixels with 16 bits a channel, or its packed bytes; either may have doubled once.
+constexpr std::size_t kBlockMargin = 1 << 20, kBlockPerByte = 4, kBlockPerPixel = 16;
+
 Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, components = 0;
+    largestBlock = kBlockMargin;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &components))
         throw ImageError(std::string("not a picture of a known kind (") + stbi_failure_reason() + ")");
-    checkSize(width, height, limits);
-    if (std::int64_t{width} * height > kMostPixelsPerByte * size)
-        throw ImageError("the picture is cut short: " + std::to_string(size) + " bytes for " +
-                         std::to_string(width) + " x " + std::to_string(height) + " pixels");
+    checkSize(width, height, bytes.size(), limits);
+    largestBlock = kBlockMargin + kBlockPerByte * bytes.size() +
+                   kBlockPerPixel * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &components, 4), stbi_image_free);
     if (!pixels) throw ImageError(std::string("the picture is damaged (") + stbi_failure_reason() + ")");
-    checkSize(width, height, limits);
+    checkSize(width, height, bytes.size(), limits);
     Image image = emptyImage(width, height, components == 2 || components == 4);
     std::memcpy(image.rgba.data(), pixels.get(), image.rgba.size());
     if (image.hasAlpha && isTga(bytes)) dropEmptyAlpha(image);
@@ -109,7 +111,8 @@ Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
 Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
     if (bytes.empty()) throw ImageError("the picture is empty (0 bytes)");
     if (bytes.size() > INT_MAX) throw ImageError("the picture is over 2 GB");
-    return isWebp(bytes) ? decodeWebp(bytes, limits) : decodeWithStb(bytes, limits);
+    if (isWebp(bytes)) return decodeWebp(bytes, limits);
+    return looksLikeJpeg(bytes) ? decodeJpeg(bytes, limits) : decodeWithStb(bytes, limits);
 }
 
 }  // namespace walkcycle

@@ -27,7 +27,7 @@ struct ImageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD, WebP ... Throws ImageError saying what is wrong.
+// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError saying what is wrong.
 Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
 std::vector<std::uint8_t> encodePng(const Image& image);

@@ -69,6 +69,7 @@ Uri parseUri(std::string_view text) {
     std::string path(text);
     std::replace(path.begin(), path.end(), '\\', '/');
     uri.path = percentDecode(uri.scheme == "file" ? pathOfFileScheme(path) : path);
+    std::replace(uri.path.begin(), uri.path.end(), '\\', '/');  // exporters on Windows escape theirs as %5C
     return uri;
 }
 

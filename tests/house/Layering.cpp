@@ -37,6 +37,7 @@ const std::vector<std::pair<std::string, Folders>> kLibraries{
     {"stb", {"io"}},
     {"png", {"io"}},
     {"webp/", {"io"}},
+    {"turbojpeg", {"io"}},
     {"zip", {"io"}},
     {"zlib", {"io"}},
     {"CLI/", {"app"}},

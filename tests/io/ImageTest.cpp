@@ -30,6 +30,10 @@ Bytes tga(int width, int height, std::initializer_list<std::uint8_t> pixels) {
     return bytes;
 }
 
+Bytes seed(const std::string& name) {
+    return readFile(WALKCYCLE_SOURCE_DIR "/fuzz/seeds/image/" + name, 1 << 20);
+}
+
 TEST(ImageTest, pngGivesBackEveryPixel) {
     for (const bool alpha : {false, true}) {
         const Image image = gradient(37, 23, alpha);
@@ -66,6 +70,14 @@ TEST(ImageTest, eighteenBytesThatClaimGigabytesAreRefusedBeforeAnythingIsMade) {
     EXPECT_THAT([] { decodeImage(tga(8000, 8000, {})); }, ThrowsMessage<ImageError>(HasSubstr("cut short")));
 }
 
+TEST(ImageTest, aChunkThatClaimsGigabytesCostsNothing) {
+    Bytes png = encodePng(gradient(5, 3, false));
+    const std::size_t idat =
+        std::string_view(reinterpret_cast<const char*>(png.data()), png.size()).find("IDAT");
+    png[idat - 4] = 0x3F;  // the chunk's length, highest byte first
+    EXPECT_THAT([&] { decodeImage(png); }, ThrowsMessage<ImageError>(HasSubstr("outofmem")));
+}
+
 TEST(ImageTest, limitsAreCheckedFromTheHeader) {
     const Bytes png = encodePng(gradient(20, 10, false));
     EXPECT_EQ(decodeImage(png, {.maxDimension = 20, .maxPixels = 200}).width, 20);
@@ -83,8 +95,8 @@ TEST(ImageTest, whatIsNoPictureIsSaidToBeNone) {
 }
 
 TEST(ImageTest, aPictureCutAnywhereThrowsOrGivesAWholeOne) {
-    for (const Bytes& whole :
-         {encodePng(gradient(16, 16, true)), encodeWebp(gradient(16, 16, true)), tga(1, 1, {1, 2, 3, 4})})
+    for (const Bytes& whole : {encodePng(gradient(16, 16, true)), encodeWebp(gradient(16, 16, true)),
+                               tga(1, 1, {1, 2, 3, 4}), seed("small.jpeg"), seed("progressive.jpeg")})
         for (std::size_t length = 0; length < whole.size(); ++length) {
             const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
             try {
@@ -93,6 +105,32 @@ TEST(ImageTest, aPictureCutAnywhereThrowsOrGivesAWholeOne) {
             } catch (const ImageError&) {
             }
         }
+}
+
+TEST(ImageTest, jpegOfEitherKindShowsThePicture) {
+    for (const char* name : {"small.jpeg", "progressive.jpeg"}) {
+        const Image image = decodeImage(seed(name));
+        EXPECT_EQ(image.width, 5);
+        EXPECT_EQ(image.height, 3);
+        EXPECT_FALSE(image.hasAlpha);
+        EXPECT_NEAR(image.rgba[0], 0, 40);  // red rises to the right
+        EXPECT_NEAR(image.rgba[4 * 4], 200, 40);
+        EXPECT_NEAR(image.rgba[4 * 10 + 1], 160, 40);  // green to the bottom
+        EXPECT_EQ(image.rgba[3], 255);
+    }
+}
+
+TEST(ImageTest, aJpegThatEndsTooSoonIsRefused) {
+    Bytes bytes = seed("small.jpeg");
+    bytes.resize(bytes.size() - 20);
+    EXPECT_THAT([&] { decodeImage(bytes); }, ThrowsMessage<ImageError>(HasSubstr("Premature end")));
+}
+
+// As stb_image's own decoder does not: it writes past a table of 256 codes.
+TEST(ImageTest, aJpegWithTooManyHuffmanCodesIsRefused) {
+    const Bytes bytes =
+        readFile(WALKCYCLE_SOURCE_DIR "/fuzz/regressions/image/huffman-codes-past-the-table.jpeg", 1 << 20);
+    EXPECT_THROW(decodeImage(bytes), ImageError);
 }
 
 TEST(ImageTest, aTgaWhoseAlphaIsEmptyIsOpaque) {

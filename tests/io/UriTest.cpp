@@ -28,6 +28,10 @@ TEST(UriTest, fileUrisGiveThePathTheyMean) {
     EXPECT_EQ(parseUri("file://skin.png").path, "skin.png") << "an exporter's habit, not a host";
 }
 
+TEST(UriTest, escapedBackSlashesSeparateFoldersToo) {
+    EXPECT_EQ(parseUri("maps%5Cskin.png").path, "maps/skin.png");
+}
+
 TEST(UriTest, aDriveLetterIsNoScheme) {
     const Uri uri = parseUri("C:\\maps\\skin.png");
     EXPECT_EQ(uri.scheme, "");

@@ -1,0 +1,32 @@
+#include "io/ImageSize.h"
+
+namespace walkcycle {
+namespace {
+
+// A compressed pixel takes a share of a byte, but there is an end to it: PNG's deflate packs at most 1032 to
+// 1, so a byte gives at most some 8,000 one-bit pixels.
+constexpr std::int64_t kMostPixelsPerByte = 16384;
+
+}  // namespace
+
+void checkSize(std::int64_t width, std::int64_t height, std::size_t bytes, const ImageLimits& limits) {
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width <= 0 || height <= 0) throw ImageError("the picture has no pixels (" + size + ")");
+    if (width > limits.maxDimension || height > limits.maxDimension)
+        throw ImageError("the picture is " + size + " pixels; the limit is " +
+                         std::to_string(limits.maxDimension) + " a side");
+    if (width * height > limits.maxPixels)
+        throw ImageError("the picture is " + size + " pixels; the limit is " +
+                         std::to_string(limits.maxPixels) + " in all");
+    if (width * height > kMostPixelsPerByte * static_cast<std::int64_t>(bytes))
+        throw ImageError("the picture is cut short: " + std::to_string(bytes) + " bytes for " + size +
+                         " pixels");
+}
+
+Image emptyImage(int width, int height, bool hasAlpha) {
+    Image image{.width = width, .height = height, .hasAlpha = hasAlpha, .rgba = {}};
+    image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    return image;
+}
+
+}  // namespace walkcycle
