@@ -158,7 +158,10 @@ void Curve::knots(double from, double to, std::size_t limit, std::vector<double>
     double first = 0.0, last = 0.0;  // cycles that reach into the range
     if (length > 0.0 && repeats(before)) first = std::min(0.0, std::floor((from - start()) / length));
     if (length > 0.0 && repeats(after)) last = std::max(0.0, std::ceil((to - end()) / length));
-    for (double cycle = first; cycle <= last && out.size() < most; cycle += 1.0) {
+    // Counted, since far from zero a cycle plus one is the same cycle. Each but the outermost has a knot in the range.
+    for (std::size_t n = 0; n < limit + 2 && out.size() < most; ++n) {
+        const double cycle = first + static_cast<double>(n);
+        if (cycle > last) break;
         const Infinity infinity = cycle < 0.0 ? before : after;
         const bool reversed =
             cycle != 0.0 && infinity == Infinity::Oscillate && std::fmod(std::abs(cycle), 2.0) == 1.0;

@@ -190,5 +190,18 @@ TEST(CurveTest, infinitiesGoOnAsMayaNamesThem) {
     EXPECT_THAT(knots, testing::ElementsAre(-3.0, -2.25, -1.5, 0.25, 1.0, 1.75, 3.5));
 }
 
+// A hang: so far from the keys, the next cycle is the same as the last.
+TEST(CurveTest, cyclesOfNearlyNoLengthHaveAnEnd) {
+    Curve curve = makeCurve({.times = {0.0, 1e-43},
+                             .values = {0.0, 1.0},
+                             .interpolations = {I::Linear, I::Linear},
+                             .inTangents = {},
+                             .outTangents = {}});
+    curve.before = Infinity::Cycle;
+    std::vector<double> knots;
+    curve.knots(-0.1, 1.0, 100, knots);
+    EXPECT_LE(knots.size(), 100u);
+}
+
 }  // namespace
 }  // namespace walkcycle
