@@ -1,0 +1,60 @@
+// Any text as a document, read with its number lists cut out and the plain way: both must see the same.
+
+#include <string>
+
+#include "Require.h"
+#include "loaders/ColladaDocument.h"
+#include "loaders/Diagnostics.h"
+
+namespace {
+
+using namespace walkcycle;
+
+XmlNode next(XmlNode node) {
+    if (const XmlNode child = node.firstChild()) return child;
+    for (; node; node = node.parent())
+        if (const XmlNode sibling = node.nextSibling()) return sibling;
+    return {};
+}
+
+// One read of the text; `reason` is why there is no root.
+struct Reading {
+    explicit Reading(const std::string& text) : documents(options, diagnostics) {
+        try {
+            root =
+                documents
+                    .openMemory({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "fuzz.dae")
+                    .root();
+        } catch (const LoadError& error) {
+            reason = error.diagnostics.back();
+        }
+    }
+
+    LoadOptions options{.resolver = [](const std::string&) -> std::optional<Bytes> { return std::nullopt; }};
+    Diagnostics diagnostics;
+    DocumentSet documents;
+    XmlNode root;
+    Diagnostic reason;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    // Whatever has a DOCTYPE is left to tinyxml2. Only plain text can have one put before it.
+    if (text.empty() || text[0] != '<' || text.starts_with("<?") || text.find('\0') != std::string::npos)
+        return 0;
+    const Reading cut(text), plain("<!DOCTYPE COLLADA>" + text);
+    REQUIRE(cut.reason.code == plain.reason.code);
+    REQUIRE(static_cast<bool>(cut.root) == static_cast<bool>(plain.root));
+    XmlNode a = cut.root, b = plain.root;
+    for (; a && b; a = next(a), b = next(b)) {
+        REQUIRE(a.name() == b.name());
+        REQUIRE(a.line() == b.line());
+        REQUIRE(a.id() == b.id());
+        REQUIRE(a.text() == b.text());
+        REQUIRE(a.textLine() == b.textLine());
+    }
+    REQUIRE(!a && !b);
+    return 0;
+}

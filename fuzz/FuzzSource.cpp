@@ -1,0 +1,63 @@
+// Any text as the inside of a document: every <source> in it as numbers and as names, and every <input>.
+
+#include <cmath>
+#include <string>
+
+#include "Require.h"
+#include "loaders/ColladaDocument.h"
+#include "loaders/Diagnostics.h"
+#include "loaders/Source.h"
+
+namespace {
+
+using namespace walkcycle;
+
+template <typename T>
+void check(const std::shared_ptr<const Source<T>>& source) {
+    if (!source) return;
+    REQUIRE(source->width > 0);
+    REQUIRE(source->values.size() % source->width == 0);
+    if constexpr (std::is_floating_point_v<T>)
+        for (const T value : source->values) REQUIRE(std::isfinite(value));
+}
+
+// The next element in document order.
+XmlNode next(XmlNode node) {
+    if (const XmlNode child = node.firstChild()) return child;
+    for (; node; node = node.parent())
+        if (const XmlNode sibling = node.nextSibling()) return sibling;
+    return {};
+}
+
+void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics) {
+    SourceReader sources(documents, diagnostics);
+    for (XmlNode node = root; node; node = next(node)) {
+        if (node.is("source")) {
+            bool isIdref = false;
+            check(sources.floats(node, Numbers::Error));
+            check(sources.doubles(node, Numbers::Warning));
+            check(sources.names(node, isIdref));
+        }
+        for (const Input& input : readInputs(node, documents, diagnostics)) REQUIRE(input.element);
+        readInts(node, diagnostics);
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::string text = "<COLLADA>\n";
+    text.append(reinterpret_cast<const char*>(data), size).append("</COLLADA>");
+    const LoadOptions options{
+        .resolver = [](const std::string&) -> std::optional<Bytes> { return std::nullopt; }};
+    Diagnostics diagnostics;
+    DocumentSet documents(options, diagnostics);
+    try {
+        readAll(documents
+                    .openMemory({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "fuzz.dae")
+                    .root(),
+                documents, diagnostics);
+    } catch (const LoadError&) {  // no document
+    }
+    return 0;
+}
