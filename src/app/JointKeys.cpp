@@ -1,6 +1,6 @@
 #include "app/JointKeys.h"
 
-#include <unordered_set>
+#include <unordered_map>
 
 namespace walkcycle {
 namespace {
@@ -11,12 +11,19 @@ std::string ownName(const Joint& joint) {
     return joint.sid.empty() ? "node" : joint.sid;
 }
 
+// Of a deeper joint the path would be longer than anyone reads, and the paths of all larger than the file by far.
+constexpr std::size_t kDeepestPath = 128, kLongestPath = 1000;
+
 // Walks upwards, so its cost is the depth; only those whose name is taken need it.
 std::string path(const Skeleton& skeleton, std::size_t joint) {
     std::vector<std::string> names;
+    std::size_t length = 0;
     for (int i = static_cast<int>(joint); i != kNoParent;
-         i = skeleton.joints[static_cast<std::size_t>(i)].parent)
+         i = skeleton.joints[static_cast<std::size_t>(i)].parent) {
         names.push_back(ownName(skeleton.joints[static_cast<std::size_t>(i)]));
+        length += names.back().size() + 1;
+        if (names.size() > kDeepestPath || length > kLongestPath) return names.front();
+    }
     std::string text;
     for (auto name = names.rbegin(); name != names.rend(); ++name) text += (text.empty() ? "" : "/") + *name;
     return text;
@@ -26,15 +33,15 @@ std::string path(const Skeleton& skeleton, std::size_t joint) {
 
 std::vector<std::string> jointKeys(const Skeleton& skeleton) {
     std::vector<std::string> keys;
-    std::unordered_set<std::string> taken;
+    std::unordered_map<std::string, std::size_t> taken;  // and how many twins it has
     keys.reserve(skeleton.joints.size());
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
         std::string key = ownName(skeleton.joints[i]);
         if (taken.contains(key)) key = path(skeleton, i);
         // Twins beneath one parent have one path, too.
-        for (std::size_t twin = 2; taken.contains(key); ++twin)
-            key = path(skeleton, i) + "[" + std::to_string(twin) + "]";
-        taken.insert(key);
+        const std::string shared = key;
+        while (taken.contains(key)) key = shared + "[" + std::to_string(++taken[shared] + 1) + "]";
+        taken.emplace(key, 0);
         keys.push_back(std::move(key));
     }
     return keys;

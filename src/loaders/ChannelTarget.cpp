@@ -50,17 +50,25 @@ std::vector<std::string_view> splitPath(std::string_view text) {
 
 }  // namespace
 
-XmlNode findSid(XmlNode from, std::string_view sid) {
-    constexpr std::size_t kMostElements =
-        20'000;  // a missing sid must not cost a walk through the whole scene each time
+// Nearly always it is among the first children; all else is looked up in a list that is made once.
+XmlNode SidFinder::find(XmlNode from, std::string_view sid) {
+    constexpr int kFirstChildren = 16;
     if (sid.empty()) return {};
-    std::vector<XmlNode> level{from};
-    for (std::size_t i = 0; i < level.size() && level.size() < kMostElements; ++i)
-        for (XmlNode child : level[i].children()) {
-            if (child.sid() == sid) return child;
-            level.push_back(child);
-        }
-    return {};
+    XmlNode child = from.firstChild();
+    for (int i = 0; child && i < kFirstChildren; ++i, child = child.nextSibling())
+        if (child.sid() == sid) return child;
+    const auto [entry, isNew] = below_.try_emplace(from);
+    if (isNew) {
+        constexpr std::size_t kMostElements = 20'000;  // targets nest, and what is below one is below others
+        std::vector<XmlNode> level{from};
+        for (std::size_t i = 0; i < level.size() && level.size() < kMostElements; ++i)
+            for (XmlNode below : level[i].children()) {
+                entry->second.try_emplace(below.sid(), below);
+                level.push_back(below);
+            }
+    }
+    const auto found = entry->second.find(sid);
+    return found == entry->second.end() ? XmlNode() : found->second;
 }
 
 XmlNode enclosing(XmlNode node, std::string_view elementName) {
@@ -77,7 +85,7 @@ std::optional<int> memberIndex(std::string_view member) {
     return std::nullopt;
 }
 
-ChannelTarget findTarget(XmlNode channel) {
+ChannelTarget findTarget(XmlNode channel, SidFinder& sids) {
     std::string_view text = trim(channel.attribute("target"));
     if (text.starts_with('#')) text.remove_prefix(1);
     const std::vector<std::string_view> names = splitPath(text);
@@ -102,12 +110,12 @@ ChannelTarget findTarget(XmlNode channel) {
     XmlNode holder = target.root;
     for (std::size_t i = 1; i + 1 < names.size() && holder; ++i) {
         target.lookedFor = "sid '" + std::string(names[i]) + "' below <" + std::string(holder.name()) + ">";
-        holder = findSid(holder, names[i]);
+        holder = sids.find(holder, names[i]);
     }
     for (const Ending& ending : readings(names.back())) {
         target.member = ending.member;
         target.indices = ending.indices;
-        if (holder && (target.element = findSid(holder, ending.name))) return target;
+        if (holder && (target.element = sids.find(holder, ending.name))) return target;
         if (holder)
             target.lookedFor =
                 "sid '" + std::string(ending.name) + "' below <" + std::string(holder.name()) + ">";

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "loaders/XmlNode.h"
@@ -19,13 +20,21 @@ struct ChannelTarget {
     std::vector<int> indices;  // of "(i)" or "(i)(j)"
 };
 
-ChannelTarget findTarget(XmlNode channel);
+// Finds elements by sid, below elements that are asked for again and again.
+class SidFinder {
+public:
+    // The nearest element below `from` with that sid, level by level, as the specification searches.
+    XmlNode find(XmlNode from, std::string_view sid);
+
+private:
+    using BySid = std::unordered_map<std::string_view, XmlNode>;
+    std::unordered_map<XmlNode, BySid> below_;
+};
+
+ChannelTarget findTarget(XmlNode channel, SidFinder& sids);
 
 // Which of an element's numbers a member means: 0 for X, R, U, S, 3 for ANGLE and A, ... Nothing for an unknown one.
 std::optional<int> memberIndex(std::string_view member);
-
-// The nearest element below `from` with that sid, level by level, as the specification searches.
-XmlNode findSid(XmlNode from, std::string_view sid);
 
 // The nearest element around `node`, itself included, with that name.
 XmlNode enclosing(XmlNode node, std::string_view elementName);

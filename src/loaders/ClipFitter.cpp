@@ -96,11 +96,14 @@ Animation ClipFitter::clip(std::string name, double start, double end, const Mot
 void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& animation) {
     const double start = animation.startSeconds, end = animation.endSeconds;
     const std::size_t limit = context_.options.limits.maxKeyFrames;
+    bool isOfWhole = whole && motion.parameters.empty();  // every key has been measured already
     animation.channels.clear();
     animation.parameterTracks.clear();
+    if (whole) count(motion.joints.size());  // a clip's channels take as much memory as their few keys
     for (const JointMotion& joint : motion.joints) {
         context_.checkCancelled(collada_);
         const std::size_t same = whole ? alike(joint, motion_.joints) : motion_.joints.size();
+        isOfWhole = isOfWhole && same < motion_.joints.size();
         if (same < motion_.joints.size())
             animation.channels.push_back(cut(whole->channels[same], start, end));
         else
@@ -114,7 +117,8 @@ void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& an
         animation.parameterTracks.push_back(fitTrack(moving, start, end, tolerance, limit));
         count(animation.parameterTracks.back().keyFrames.size());
     }
-    animation.achievedError = static_cast<float>(reach_.measure(model_, motion, animation));
+    animation.achievedError =
+        isOfWhole ? whole->achievedError : static_cast<float>(reach_.measure(model_, motion, animation));
 }
 
 void ClipFitter::count(std::size_t keys) {

@@ -42,6 +42,10 @@ XmlNode ControllerLoader::followToGeometry(XmlNode from, XmlNode controller, std
 
 XmlNode ControllerLoader::load(const SceneGraph::Instance& source, MeshInstance& instance) {
     const XmlNode controller = context_.documents.follow(source.element, "url", {});
+    if (controller.is("geometry"))  // shown as it is, which is not what was asked for
+        context_.diagnostics.report(
+            Code::WrongElement, source.element,
+            {"instance_controller", std::string(source.element.attribute("url")), "geometry", "controller"});
     std::vector<XmlNode> chain;
     const XmlNode geometry = followToGeometry(source.element, controller, chain);
     if (!geometry) return {};

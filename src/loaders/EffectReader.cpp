@@ -115,6 +115,7 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
         return;
     }
     material.slot(slot).present = true;
+    if (!node.child("color") && !node.child("param") && !node.child("texture")) noValue(node, "color");
     if (const XmlNode color = node.child("color")) {
         readColor(color, material.slot(slot).color);
     } else if (const XmlNode param = node.child("param")) {
@@ -152,9 +153,20 @@ void EffectReader::readNumber(XmlNode shader, const char* name, const EffectPara
     const XmlNode node = shader.child(name);
     XmlNode value = node.child("float");
     if (const XmlNode param = node.child("param")) value = parameter(param, parameters);
+    if (node && !value && !node.child("param")) noValue(node, "float");
     if (!value) return;
     const std::vector<double> numbers = readDoubles(value, context_.diagnostics, Numbers::Warning);
+    if (numbers.size() != 1)
+        context_.diagnostics.report(
+            Code::NumberOddWarning, value,
+            {value.text(), std::string(value.name()), numbers.empty() ? "the default" : "the first"});
     if (!numbers.empty()) number = toFloat(numbers.front());
+}
+
+// A part of a shader that says nothing is as if it were not there.
+void EffectReader::noValue(XmlNode node, const char* wanted) {
+    context_.diagnostics.report(Severity::Warning, Code::MissingElement, node,
+                                {std::string(node.name()), wanted});
 }
 
 XmlNode EffectReader::parameter(XmlNode param, const EffectParameters& parameters) {

@@ -25,6 +25,7 @@ private:
                   Material& material);
     void readColor(XmlNode value, glm::vec4& color);
     void readNumber(XmlNode shader, const char* name, const EffectParameters& parameters, float& number);
+    void noValue(XmlNode node, const char* wanted);
     XmlNode parameter(XmlNode param, const EffectParameters& parameters);
     void readTexture(XmlNode texture, Slot slot, const EffectParameters& parameters, Material& material);
     void useChosenPicture(const ColladaDocument& document, Material& material);

@@ -47,7 +47,7 @@ void MotionBuilder::add(XmlNode channel) {
     const XmlNode sampler = context_.documents.follow(channel, "source", "sampler");
     const int curve = sampler ? samplers_.read(sampler) : -1;
     if (curve < 0) return;
-    const ChannelTarget target = findTarget(channel);
+    const ChannelTarget target = findTarget(channel, sids_);
     if (target.element && target.element.parent().is("node") && !target.element.is("node")) {
         const auto [first, last] = scene_.occurrences.equal_range(target.element.parent());
         if (first != last && !target.element.is("visibility")) return bindNode(channel, target, curve);

@@ -47,6 +47,7 @@ private:
     Model& model_;
     SamplerReader samplers_;
     ParameterFinder parameters_;
+    SidFinder sids_;
     std::vector<XmlNode> channels_;
     std::vector<JointBinding> jointBindings_;
     std::vector<ParameterBinding> parameterBindings_;

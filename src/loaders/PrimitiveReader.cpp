@@ -37,6 +37,33 @@ int lineOfNumber(XmlNode element, std::size_t n) {
     return element.textLine(static_cast<std::size_t>(words[n].data() - text.data()));
 }
 
+// Of a fan or a strip, which the reader cuts: which corner of its <p> the n-th of the cut-off triangles' or lines' was.
+std::size_t cornerBeforeCut(Kind kind, std::size_t corner) {
+    const std::size_t size = kind == Kind::Linestrips ? 2 : 3;
+    const std::size_t ring = corner / size, place = corner % size;
+    if (kind == Kind::Trifans && place == 0) return 0;
+    const bool turned = kind == Kind::Tristrips && ring % 2 == 1 && place < 2;
+    return ring + (turned ? 1 - place : place);
+}
+
+bool isCut(Kind kind) {
+    return kind == Kind::Trifans || kind == Kind::Tristrips || kind == Kind::Linestrips;
+}
+
+// The place of a corner of a fan or a strip.
+CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::size_t corner,
+                          std::size_t offset) {
+    const std::size_t size = kind == Kind::Linestrips ? 2 : 3, stride = primitive.inputs.stride;
+    for (XmlNode p : primitive.element.children("p")) {
+        std::string joined;
+        const std::size_t held = splitWords(p.rawText(joined)).size() / stride;
+        const std::size_t cut = held < size ? 0 : (held - size + 1) * size;
+        if (corner < cut) return {p, lineOfNumber(p, cornerBeforeCut(kind, corner) * stride + offset)};
+        corner -= cut;
+    }
+    return {primitive.element, primitive.element.line()};
+}
+
 // Reads one primitive; its members are what the steps share.
 class Reader {
 public:
@@ -66,7 +93,8 @@ public:
         checkCount();
         if (tooSmall_ > 0)
             context_.diagnostics.report(Code::FaceTooSmall, out_.element,
-                                        {std::to_string(tooSmall_), std::string(out_.element.name())});
+                                        {std::to_string(tooSmall_), std::string(out_.element.name())},
+                                        firstTooSmall_.line());
         return std::move(out_);
     }
 
@@ -122,7 +150,7 @@ private:
             wanted += count;
             fits = fits && size >= 0 && count <= held - first;
             if (!fits) continue;
-            addFace(first, count);
+            addFace(vcount, first, count);
             first += count;
         }
         if (wanted != held || !fits)
@@ -140,10 +168,10 @@ private:
             const std::size_t first = out_.cornerCount();
             const std::size_t corners = appendCorners(holed ? child.child("p") : child);
             if (kind_ == Kind::Polygons) {
-                const bool added = addFace(first, corners);
+                const bool added = addFace(child, first, corners);
                 if (holed && added) addHoles(child);
             } else {
-                cut(first, corners);
+                cut(child, first, corners);
             }
         }
     }
@@ -155,20 +183,17 @@ private:
             if (corners >= 3)
                 addRing(first, corners, true);
             else
-                ++tooSmall_;
+                skip(h);
         }
     }
 
     // Rewrites the corners from `first` on, a fan or strip, as one run of corners per triangle or line.
-    void cut(std::size_t first, std::size_t corners) {
+    void cut(XmlNode p, std::size_t first, std::size_t corners) {
         const std::size_t size = kind_ == Kind::Linestrips ? 2 : 3;
         const auto from = out_.indices.begin() + static_cast<std::ptrdiff_t>(first * stride());
         strip_.assign(from, out_.indices.end());
         out_.indices.erase(from, out_.indices.end());
-        if (corners < size) {
-            ++tooSmall_;
-            return;
-        }
+        if (corners < size) return skip(p);
         for (std::size_t i = 0; i + size <= corners; ++i) {
             addRing(out_.cornerCount(), size, false);
             const bool odd = i % 2 == 1;  // every second triangle of a strip turns the other way
@@ -185,12 +210,16 @@ private:
                                 strip_.begin() + static_cast<std::ptrdiff_t>((c + 1) * stride()));
     }
 
-    bool addFace(std::size_t first, std::size_t corners) {
+    bool addFace(XmlNode from, std::size_t first, std::size_t corners) {
         if (corners >= 3)
             addRing(first, corners, false);
         else
-            ++tooSmall_;
+            skip(from);
         return corners >= 3;
+    }
+
+    void skip(XmlNode tooSmall) {
+        if (++tooSmall_ == 1) firstTooSmall_ = tooSmall;
     }
 
     void addRing(std::size_t first, std::size_t corners, bool hole) {
@@ -218,6 +247,7 @@ private:
     PrimitiveCorners out_;
     std::uint64_t held_ = 0;  // faces, fans, strips or lines in the file
     std::size_t tooSmall_ = 0;
+    XmlNode firstTooSmall_;  // what said so
     std::string joined_;
     std::vector<NumberFault> faults_;
     std::vector<std::int32_t> strip_;
@@ -234,10 +264,10 @@ PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const 
 }
 
 CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
+    const Kind kind = kindOf(primitive.element)->kind;
+    if (isCut(kind)) return findCutCorner(primitive, kind, corner, offset);
     std::size_t number = corner * primitive.inputs.stride + offset;
     CornerPlace place{primitive.element, primitive.element.line()};
-    const Kind kind = kindOf(primitive.element)->kind;
-    if (kind == Kind::Trifans || kind == Kind::Tristrips || kind == Kind::Linestrips) return place;
     const auto lookIn = [&](XmlNode p) {
         std::string joined;
         const std::size_t numbers = splitWords(p.rawText(joined)).size();

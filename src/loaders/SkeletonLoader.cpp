@@ -7,6 +7,9 @@
 namespace walkcycle {
 
 void SkeletonLoader::addScene(XmlNode visualScene) {
+    if (!visualScene.child("node"))
+        context_.diagnostics.report(Severity::Warning, Code::MissingElement, visualScene,
+                                    {"visual_scene", "node"});
     for (XmlNode node : visualScene.children("node")) add({node, kNoParent, rootCollada_}, true);
 }
 

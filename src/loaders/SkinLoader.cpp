@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "loaders/NumberParser.h"
 #include "loaders/SkinNodeQuirk.h"
 #include "loaders/WeightsReader.h"
 
@@ -70,6 +71,20 @@ void readJointNames(const Input& input, const LoadContext& context, SkinData& da
             context.diagnostics.report(Code::DuplicateJoint, input.element, {name});
 }
 
+// <vertex_weights> counts through the list of joints that it names, which should be that of <joints>.
+void checkJointLists(XmlNode joints, XmlNode weights, const LoadContext& context) {
+    std::string_view named[2];
+    const XmlNode elements[2] = {joints, weights};
+    for (int i = 0; i < 2; ++i)
+        for (XmlNode input : elements[i].children("input"))
+            if (input.attribute("semantic") == "JOINT") named[i] = trim(input.attribute("source"));
+    const auto lead = [&](int i) { return context.documents.resolve(elements[i], named[i]); };
+    if (named[0].empty() || named[1].empty() || named[0] == named[1]) return;
+    if (lead(0) && lead(1) && !(lead(0) == lead(1)))
+        context.diagnostics.report(Code::JointListsDiffer, weights,
+                                   {std::string(named[1]), std::string(named[0])});
+}
+
 // Takes the matrices of the rest pose where the file gives none.
 glm::mat4 restInverseBind(const SceneGraph& scene, int joint) {
     glm::dmat4 world(1.0);
@@ -111,6 +126,7 @@ bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& contex
     const XmlNode weights = skin.child("vertex_weights");
     if (!weights) context.diagnostics.report(Code::MissingElement, skin, {"skin", "vertex_weights"});
     if (!weights || data.jointNames.empty()) return false;
+    checkJointLists(joints, weights, context);
     data.influences = static_cast<int>(model.influences.size());
     model.influences.push_back(readWeights(weights, positionCount, data.jointNames.size(), context));
     return true;

@@ -31,6 +31,25 @@ std::string step(const XmlNode& node) {
     return text;
 }
 
+bool isPlainText(const tinyxml2::XMLNode* node) {
+    return node->ToText() && !node->ToText()->CData();
+}
+
+// Calls for each piece of an element's text, and says whether it stands apart from the piece before. Comments, CDATA
+// and processing instructions do not end a word, elements do; between two that are no plain text, white space may have
+// stood that tinyxml2 does not keep.
+template <typename Use>
+void forEachPiece(const tinyxml2::XMLElement* element, Use use) {
+    bool apart = false;
+    for (auto* node = element ? element->FirstChild() : nullptr; node; node = node->NextSibling()) {
+        const tinyxml2::XMLNode* before = node->PreviousSibling();
+        apart = apart || node->ToElement() || (before && !isPlainText(before) && !isPlainText(node));
+        if (!node->ToText()) continue;
+        use(*node->ToText(), apart);
+        apart = false;
+    }
+}
+
 // The text that was cut out of the document before it was parsed; see NumberText.h.
 const NumberText* cutText(const tinyxml2::XMLElement* element) {
     return element ? static_cast<const NumberText*>(element->GetUserData()) : nullptr;
@@ -86,16 +105,14 @@ std::string_view XmlNode::rawText(std::string& joined) const {
     joined.clear();
     if (const NumberText* cut = cutText(element_)) return cut->text;
     int pieces = 0;
-    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling()) {
-        const tinyxml2::XMLText* text = node->ToText();
-        if (!text) continue;  // comments and elements do not end a list
+    forEachPiece(element_, [&](const tinyxml2::XMLText& text, bool apart) {
         if (++pieces == 1) {
-            only = text;
-            continue;
+            only = &text;
+            return;
         }
         if (pieces == 2) joined = only->Value();
-        joined.append(" ").append(text->Value());  // white space between two comments is lost
-    }
+        joined.append(apart ? " " : "").append(text.Value());
+    });
     if (pieces == 0) return {};
     return pieces == 1 ? std::string_view(only->Value()) : std::string_view(joined);
 }
@@ -105,14 +122,17 @@ int XmlNode::textLine(std::size_t offset) const {
     if (const NumberText* cut = cutText(element_))
         return line() + cut->linesInTag + lineBreaks(cut->text.substr(0, offset));
     int found = line();
-    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling()) {
-        if (!node->ToText()) continue;
-        const std::string_view text(node->Value());
-        const std::size_t first = node->ToText()->CData() ? 0 : text.find_first_not_of(" \t\r\n\v\f");
-        found = node->GetLineNum() - lineBreaks(text.substr(0, first)) + lineBreaks(text.substr(0, offset));
-        if (offset <= text.size()) break;
-        offset -= text.size() + 1;  // and the space that rawText puts between two texts
-    }
+    bool isFound = false, isFirst = true;
+    forEachPiece(element_, [&](const tinyxml2::XMLText& node, bool apart) {
+        if (isFound) return;
+        if (apart && !isFirst && offset > 0) --offset;  // the space that rawText puts there
+        isFirst = false;
+        const std::string_view text(node.Value());
+        const std::size_t first = node.CData() ? 0 : text.find_first_not_of(" \t\r\n\v\f");
+        found = node.GetLineNum() - lineBreaks(text.substr(0, first)) + lineBreaks(text.substr(0, offset));
+        isFound = offset <= text.size();
+        offset -= std::min(offset, text.size());
+    });
     return found;
 }
 

@@ -41,7 +41,7 @@ public:
     class Range;
     Range children(std::string_view elementName = {}) const;
 
-    // The element's text, joined where comments interrupt it and without white space at its ends.
+    // The element's text without white space at its ends. A comment within it is as if it were not there.
     std::string text() const;
     // The same without a copy where the text is in one piece; otherwise joined into `joined`. Not trimmed.
     std::string_view rawText(std::string& joined) const;

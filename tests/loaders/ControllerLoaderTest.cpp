@@ -144,6 +144,7 @@ TEST(ControllerLoaderTest, aReferenceToWhatIsNoControllerIsAnErrorWhereItStands)
 TEST(ControllerLoaderTest, aControllerThatIsAGeometryIsDrawnAsOne) {
     const Model model = loadText(collada(kMeshes + scene(nodes("#mesh"))));
     EXPECT_EQ(model.instances.size(), 1u);
+    EXPECT_THAT(codes(model.diagnostics), ElementsAre("WC0207"));
 }
 
 TEST(ControllerLoaderTest, aSkinOfNothingIsAnErrorInItsLine) {

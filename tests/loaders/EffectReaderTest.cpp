@@ -1,5 +1,4 @@
-#include <gtest/gtest.h>
-
+#include "LoadText.h"
 #include "loaders/EffectReader.h"
 #include "loaders/MaterialsOf.h"
 
@@ -101,6 +100,27 @@ TEST_F(EffectReaderTest, newerSketchUpDoesNot) {
 TEST_F(EffectReaderTest, anOpaqueWordThatIsNotKnownIsReported) {
     EXPECT_EQ(file.material("odd").opaque, OpaqueMode::AOne);
     EXPECT_EQ(file.warnings(Code::WordUnknown), 1);
+}
+
+TEST(EffectReaderValuesTest, aPartOfAShaderThatSaysNothingIsReported) {
+    const std::string text = collada(
+        "<library_effects><effect id='e'><profile_COMMON><technique sid='t'><phong>\n<diffuse/>\n"
+        "<shininess/>\n<transparency><float>1 "
+        "2</float></transparency>\n<reflectivity><float/></reflectivity>\n"
+        "</phong></technique></profile_COMMON></effect></library_effects>"
+        "<library_materials><material id='m'><instance_effect url='#e'/></material></library_materials>" +
+        std::string("<library_geometries><geometry id='g'><mesh>") + floatSource("p", "0 0 0 1 0 0 0 1 0") +
+        "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles count='1' "
+        "material='m'>"
+        "<input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles></mesh></geometry>"
+        "</library_geometries>" +
+        scene("<node><instance_geometry url='#g'/></node>"));
+    std::vector<int> lines;
+    for (const Diagnostic& said : loadText(text).diagnostics)
+        if (said.severity == Severity::Warning) lines.push_back(said.line);
+    EXPECT_THAT(lines,
+                testing::UnorderedElementsAre(lineOf(text, "<diffuse"), lineOf(text, "<shininess"),
+                                              lineOf(text, "<transparency"), lineOf(text, "<reflectivity")));
 }
 
 }  // namespace

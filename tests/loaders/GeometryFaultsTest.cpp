@@ -123,7 +123,21 @@ TEST(GeometryFaultsTest, polygonsOfTwoCornersAreNotDrawn) {
     const auto mesh = withPolylist("<vcount>2 1 3</vcount>", "3");
 
     EXPECT_THAT(mesh.drawnPositions(), ElementsAre(0, 2, 3));
-    EXPECT_THAT(mesh.said(), ElementsAre("WC0304:5"));
+    EXPECT_THAT(mesh.said(), ElementsAre("WC0304:6"));
+}
+
+TEST(GeometryFaultsTest, anIndexOutOfRangeIsToldInItsLineOfAFanOrAStrip) {
+    for (const std::string kind : {"trifans", "tristrips", "linestrips"}) {
+        const GeometryFixture mesh(vertices(kSquare) + "<" + kind + " count=\"2\">" + kVertex +
+                                   "<p>0 1 2</p>\n<p>0 1\n2\n9</p></" + kind + ">");
+        EXPECT_THAT(mesh.said(), ElementsAre("WC0301:9")) << kind;
+    }
+}
+
+TEST(GeometryFaultsTest, aStripThatIsTooShortIsToldInItsLine) {
+    const GeometryFixture mesh(vertices(kSquare) + "<tristrips count=\"2\">" + kVertex +
+                               "<p>0 1 2</p>\n<p>0 1</p></tristrips>");
+    EXPECT_THAT(mesh.said(), ElementsAre("WC0304:7"));
 }
 
 TEST(GeometryFaultsTest, aPolylistWithoutVcountIsAnError) {

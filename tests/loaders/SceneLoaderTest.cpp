@@ -182,6 +182,23 @@ TEST(SceneLoaderTest, aLightsOddNumberIsAWarningAndTheDefaultStays) {
                             says("WC0210", lineOf(text, "<linear"), path + "linear_attenuation")));
 }
 
+TEST(SceneLoaderTest, aLightsColourOfTwoNumbersIsAWarning) {
+    const std::string text = collada(camera("<perspective><yfov>45</yfov></perspective>") +
+                                     light("<point>\n<color>0.5 0.25</color></point>") + kLook);
+    const Model model = loadText(text);
+    EXPECT_EQ(model.lights.at(0).color, glm::vec3(0.5f, 0.25f, 1.0f));
+    ASSERT_THAT(codes(model.diagnostics), ElementsAre("WC0607"));
+    EXPECT_EQ(model.diagnostics[0].line, lineOf(text, "<color"));
+}
+
+TEST(SceneLoaderTest, aSceneOfNothingIsAWarning) {
+    const std::string text = collada(scene(""));
+    const Model model = loadText(text);
+    EXPECT_THAT(model.diagnostics, ElementsAre(says("WC0203", lineOf(text, "<visual_scene"),
+                                                    "COLLADA/library_visual_scenes/visual_scene[id=scene]")));
+    EXPECT_EQ(model.diagnostics.at(0).severity, Severity::Warning);
+}
+
 TEST(SceneLoaderTest, camerasAndLightsThatAreNotThereAreErrors) {
     const std::string text =
         collada(scene("<node>\n<instance_camera url='#c'/>\n<instance_light url='#l'/></node>"));

@@ -52,6 +52,18 @@ TEST(SkinLoaderTest, theInverseBindMatrixComesAfterTheBindShapeMatrix) {
     EXPECT_THAT(posed(loadText(document(skin))), ElementsAre(isAt(21, 0, 1), isAt(10, 1, 0), isAt(9, 0, 0)));
 }
 
+TEST(SkinLoaderTest, weightsThatCountThroughAnotherListOfJointsAreToldOf) {
+    std::string text = document(plainSkin());
+    const std::size_t weights = text.find("<vertex_weights");
+    text.insert(weights, nameSource("others", "knee hip"));
+    const std::size_t joint = text.find("#joints", text.find("<vertex_weights"));
+    text.replace(joint, std::string("#joints").size(), "#others");
+    const Model model = loadText(text);
+    EXPECT_THAT(posed(model), ElementsAre(isAt(1, 0, 1), isAt(3, 0, 1), isAt(2, 1, 1)));
+    ASSERT_THAT(codes(model.diagnostics), ElementsAre("WC0417"));
+    EXPECT_EQ(model.diagnostics[0].line, lineOf(text, "<vertex_weights"));
+}
+
 TEST(SkinLoaderTest, theSkinsJointOrderIsItsOwn) {
     SkinText skin = plainSkin();
     skin.joints = nameSource("joints", "knee hip");

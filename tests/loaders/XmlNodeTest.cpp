@@ -38,7 +38,26 @@ TEST(XmlNodeTest, aPrefixIsNoPartOfTheName) {
 
 TEST(XmlNodeTest, textGoesOnAfterACommentAndInACdataSection) {
     TestLoad load("<COLLADA><p> 1 2 <!-- 9 --> 3 <![CDATA[4]]> </p></COLLADA>");
-    EXPECT_EQ(load.collada.child("p").text(), "1 2   3  4");
+    EXPECT_EQ(load.collada.child("p").text(), "1 2  3 4");
+}
+
+TEST(XmlNodeTest, aCommentDoesNotEndANumberAndAnElementDoes) {
+    TestLoad load(
+        "<COLLADA><p>1<!-- . -->2<![CDATA[3]]>4</p><q>1<x/>2</q><r><!-- --> <![CDATA[1]]> <!-- "
+        "-->2</r></COLLADA>");
+    EXPECT_EQ(load.collada.child("p").text(), "1234");
+    EXPECT_EQ(load.collada.child("q").text(), "1 2");
+    EXPECT_EQ(load.collada.child("r").text(), "1 2");
+}
+
+TEST(XmlNodeTest, aPieceOfTextBehindACommentHasItsOwnLine) {
+    TestLoad load("<COLLADA><p>1\n2<!-- -->3\n4<x/>\n<![CDATA[5]]></p></COLLADA>");
+    const XmlNode p = load.collada.child("p");
+    std::string joined;
+    const std::string text(p.rawText(joined));
+    EXPECT_EQ(p.textLine(text.find('3')), 2);
+    EXPECT_EQ(p.textLine(text.find('4')), 3);
+    EXPECT_EQ(p.textLine(text.find('5')), 4);
 }
 
 TEST(XmlNodeTest, thePathNamesIdsAndSids) {
