@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/walkcycle")
-foreach(folder animation model io loaders platform render export walkcycle)
+foreach(folder animation model io loaders profiles platform render export walkcycle)
     if(TARGET walkcycle_${folder})
         install(TARGETS walkcycle_${folder} EXPORT walkcycle ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
         set(header_folder "${CMAKE_INSTALL_INCLUDEDIR}/walkcycle/${folder}")

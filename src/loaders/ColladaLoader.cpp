@@ -5,6 +5,7 @@
 #include "loaders/AnimationLoader.h"
 #include "loaders/AssetReader.h"
 #include "loaders/ControllerLoader.h"
+#include "loaders/Inspection.h"
 #include "loaders/MaterialLoader.h"
 #include "loaders/SceneLoader.h"
 
@@ -109,6 +110,7 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     model.nodeVisible.assign(model.skeleton.joints.size(), true);
     for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;
     loadAnimations(collada, scene, targets, context, model);
+    if (context.options.inspector) context.options.inspector({collada, scene, model, context});
     report(context, 1.0);
 }
 

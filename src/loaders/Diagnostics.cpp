@@ -9,8 +9,11 @@ namespace {
 
 #define WC_STRING_(text) #text
 constexpr CodeInfo kCatalogue[] = {
-#define WC_CODE(number, name, severity, text, cause, cure) \
-    {Code::name, "WC0" WC_STRING_(number), #name, Severity::severity, text, cause, cure},
+#define WC_CODE(number, name, severity, text, cause, cure)                             \
+    {Code::name, (number) < 1000 ? "WC0" WC_STRING_(number) : "WC" WC_STRING_(number), \
+     #name,      Severity::severity,                                                   \
+     text,       cause,                                                                \
+     cure},
 #include "loaders/DiagnosticCodes.inc"
 #undef WC_CODE
 };

@@ -13,6 +13,8 @@
 
 namespace walkcycle {
 
+struct Inspection;
+
 // What a load may cost. Honest files of 150 MB fit; each is named in the message that it raises.
 struct LoadLimits {
     std::uint64_t maxFileBytes = std::uint64_t{1} << 30;
@@ -50,6 +52,7 @@ struct LoadOptions {
     std::function<void(double)> progress;  // called with 0..1 now and then
     std::function<bool()> cancelled;       // asked now and then; true stops the load with LoadError WC0802
     FileResolver resolver;                 // where set, no file is opened at all
+    std::function<void(const Inspection&)> inspector;  // called once the model is made; see Inspection.h
 };
 
 }  // namespace walkcycle

@@ -145,6 +145,20 @@ int XmlNode::line() const {
     return element_ ? element_->GetLineNum() : 0;
 }
 
+std::vector<std::pair<std::string_view, std::string_view>> XmlNode::attributes() const {
+    std::vector<std::pair<std::string_view, std::string_view>> all;
+    for (auto* attribute = element_ ? element_->FirstAttribute() : nullptr; attribute;
+         attribute = attribute->Next())
+        all.emplace_back(attribute->Name(), attribute->Value());
+    return all;
+}
+
+int XmlNode::commentLine() const {
+    for (auto* node = element_ ? element_->FirstChild() : nullptr; node; node = node->NextSibling())
+        if (node->ToComment()) return node->GetLineNum();
+    return 0;
+}
+
 std::string XmlNode::path() const {
     std::vector<std::string> steps;
     for (XmlNode node = *this; node; node = node.parent()) steps.push_back(step(node));

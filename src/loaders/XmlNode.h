@@ -3,6 +3,8 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tinyxml2 {
 class XMLElement;
@@ -48,7 +50,11 @@ public:
     int textLine(
         std::size_t offset = 0) const;  // of a character of rawText; the element's line if it has no text
 
+    std::vector<std::pair<std::string_view, std::string_view>> attributes()
+        const;  // names and values, in order
+
     int line() const;
+    int commentLine() const;   // of the first comment beside the element's children; 0: there is none
     std::string path() const;  // "COLLADA/library_geometries/geometry[id=body]/mesh"
     const std::string& file() const;
     const ColladaDocument& document() const { return *document_; }

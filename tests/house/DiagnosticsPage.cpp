@@ -53,6 +53,7 @@ std::string chapterOf(const std::string& id) {
         {"07", "The scene"},
         {"08", "Limits"},
         {"09", "Outside the file"},
+        {"10", "What other programs make of it"},
     };
     const auto chapter = chapters.find(id.substr(2, 2));
     return chapter == chapters.end() ? "Others" : chapter->second;

@@ -46,6 +46,13 @@ TEST(DocsTest, diagnosticsPageIsWhatTheCatalogueSays) {
     EXPECT_EQ(readText(file), diagnosticsPage()) << "run the tests with UPDATE_DOCS=1";
 }
 
+TEST(DocsTest, thePageOnCheckingNamesEveryRuleOfAProfile) {
+    const std::string rules = diagnosticsPage(), page = readText(root() / "docs/checking.md");
+    const auto codes = allMatches(rules, std::regex("### (WC10[0-9]{2}) "));
+    EXPECT_FALSE(codes.empty());
+    for (const std::string& code : codes) EXPECT_NE(page.find("| " + code + " |"), std::string::npos) << code;
+}
+
 TEST(DocsTest, everyLinkWithinTheDocsLeadsToAFile) {
     const std::regex link(R"(\]\(([^)#]+)(?:#[^)]*)?\))");
     for (const std::string& page : pages()) {

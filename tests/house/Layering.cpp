@@ -20,6 +20,7 @@ const std::map<std::string, Folders> kMayInclude{
     {"model", {"animation"}},
     {"io", {}},
     {"loaders", {"animation", "model", "io"}},
+    {"profiles", {"animation", "model", "io", "loaders"}},
     {"render", {"animation", "model", "io"}},
     {"platform", {}},
     {"export", {"animation", "model", "io"}},

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "loaders/LoadContext.h"
+#include "loaders/SceneGraph.h"
+#include "model/Model.h"
+
+namespace walkcycle {
+
+// A document and the model that was made of it, for those who ask what the model no longer knows: which elements a
+// part came from, at which offsets, in which order. It lives as long as the call of LoadOptions::inspector;
+// what is found goes to context.diagnostics, and from there to Model::diagnostics.
+struct Inspection {
+    XmlNode collada;
+    const SceneGraph& scene;
+    const Model& model;
+    const LoadContext& context;
+};
+
+}  // namespace walkcycle

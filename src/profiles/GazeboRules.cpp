@@ -1,0 +1,342 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "profiles/Rules.h"
+
+// What the COLLADA loader of Gazebo (gz-common; gazebo-classic has its ancestor) leaves out or takes for something else:
+// https://github.com/gazebosim/gz-common/blob/main/graphics/src/ColladaLoader.cc
+namespace walkcycle {
+namespace {
+
+// ---- geometry (LoadGeometry, LoadTriangles, LoadPolylist)
+
+// Its polygons are fans from the first corner: is one of the triangles turned round against the whole?
+bool fanTurnsRound(const std::vector<double>& positions, std::size_t width,
+                   const std::vector<std::int32_t>& corners) {
+    std::vector<glm::dvec3> points;
+    for (const std::int32_t corner : corners) {
+        const std::size_t first = static_cast<std::size_t>(std::max(0, corner)) * width;
+        if (corner < 0 || first + 3 > positions.size()) return false;
+        points.emplace_back(positions[first], positions[first + 1], positions[first + 2]);
+    }
+    glm::dvec3 whole(0.0);
+    for (std::size_t i = 2; i < points.size(); ++i)
+        whole += glm::cross(points[i - 1] - points[0], points[i] - points[0]);
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        const glm::dvec3 part = glm::cross(points[i - 1] - points[0], points[i] - points[0]);
+        if (glm::dot(part, whole) < -1e-3 * glm::dot(whole, whole)) return true;
+    }
+    return false;
+}
+
+void checkConcave(const Subject& subject, XmlNode polylist) {
+    const XmlNode source = subject.sourceOf(subject.sourceOf(polylist, "VERTEX"), "POSITION");
+    const int width = strideOf(source), stride = indicesPerCorner(polylist);
+    if (width < 3) return;
+    const std::vector<double> positions = numbersOf(source.child("float_array"));
+    const std::vector<std::int32_t> p = integersOf(polylist.child("p"));
+    std::size_t at = static_cast<std::size_t>(offsetOf(inputOf(polylist, "VERTEX"))), concave = 0;
+    for (const std::int32_t count : integersOf(polylist.child("vcount"))) {
+        std::vector<std::int32_t> corners;
+        for (std::int32_t i = 0; i < count && at < p.size(); ++i, at += static_cast<std::size_t>(stride))
+            corners.push_back(p[at]);
+        concave += count > 3 && fanTurnsRound(positions, static_cast<std::size_t>(width), corners);
+    }
+    if (concave > 0) subject.report(Code::GazeboConcave, polylist, {std::to_string(concave)});
+}
+
+// It counts the offsets of each semantic by themselves, so inputs that share one, or leave one out, shift all indices.
+void checkOffsets(const Subject& subject, XmlNode primitive) {
+    std::set<int> texCoords;
+    int counted = 0;
+    for (const XmlNode input : primitive.children("input")) {
+        if (input.attribute("semantic") == "TEXCOORD")
+            texCoords.insert(offsetOf(input));
+        else
+            ++counted;
+    }
+    counted += static_cast<int>(texCoords.size());
+    const int held = indicesPerCorner(primitive);
+    if (counted != held)
+        subject.report(Code::GazeboSharedOffsets, primitive,
+                       {std::string(primitive.name()), std::to_string(counted), std::to_string(held)});
+}
+
+void checkSource(const Subject& subject, XmlNode source, int least, std::unordered_set<XmlNode>& seen) {
+    const XmlNode accessor = accessorOf(source);
+    if (!accessor || !seen.insert(source).second) return;
+    const auto say = [&](const char* what) {
+        subject.report(Code::GazeboSource, accessor, {nameOf(source), what});
+    };
+    if (!accessor.has("stride")) return say("its accessor has no stride");
+    if (strideOf(source) < least) return say("its entries have too few numbers");
+    if (!source.child("float_array").has("count")) return say("its float_array has no count");
+    if (integerAttribute(accessor, "offset", 0) != 0) return say("the accessor's offset is not read");
+    const XmlNode first = accessor.child("param");
+    if (first && first.attribute("name").empty() && accessor.child("param").nextSibling("param").has("name"))
+        say("the first <param> has no name, and is read all the same");
+}
+
+void checkPrimitive(const Subject& subject, XmlNode primitive, std::unordered_set<XmlNode>& seen) {
+    checkOffsets(subject, primitive);
+    if (primitive.is("polylist")) checkConcave(subject, primitive);
+    const XmlNode vertices = subject.sourceOf(primitive, "VERTEX");
+    for (const XmlNode parent : {primitive, vertices}) {
+        checkSource(subject, subject.sourceOf(parent, "POSITION"), 3, seen);
+        checkSource(subject, subject.sourceOf(parent, "NORMAL"), 3, seen);
+        checkSource(subject, subject.sourceOf(parent, "TEXCOORD"), 2, seen);
+    }
+}
+
+void checkGeometry(const Subject& subject, XmlNode geometry, std::unordered_set<XmlNode>& seen) {
+    for (const char* shape : {"convex_mesh", "spline", "brep"})
+        if (geometry.child(shape)) subject.report(Code::GazeboPrimitive, geometry.child(shape), {shape});
+    for (const XmlNode primitive : geometry.child("mesh").children()) {
+        if (isOneOf(primitive, {"polygons", "trifans", "tristrips", "linestrips"}))
+            subject.report(Code::GazeboPrimitive, primitive, {std::string(primitive.name())});
+        if (isOneOf(primitive, {"triangles", "polylist"})) checkPrimitive(subject, primitive, seen);
+    }
+}
+
+// When it comes to each node: after those below it.
+std::vector<std::size_t> visits(const Skeleton& skeleton) {
+    std::vector<std::vector<std::size_t>> children(skeleton.joints.size() +
+                                                   1);  // the last entry: of the scene
+    for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
+        const int parent = skeleton.joints[i].parent;
+        children[parent == kNoParent ? skeleton.joints.size() : static_cast<std::size_t>(parent)].push_back(
+            i);
+    }
+    std::vector<std::size_t> before,
+        open = {skeleton.joints.size()};  // the other way round: last children first
+    while (!open.empty()) {
+        before.push_back(open.back());
+        open.pop_back();
+        open.insert(open.end(), children[before.back()].begin(), children[before.back()].end());
+    }
+    std::vector<std::size_t> visit(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) visit[before[i]] = before.size() - i;
+    return visit;
+}
+
+// Positions are kept with the transform of the first instance applied (LoadPositions).
+void checkInstances(const Subject& subject) {
+    const std::vector<std::size_t> visit = visits(subject.scene().skeleton);
+    std::vector<Shown> shown = subject.shown();
+    std::stable_sort(shown.begin(), shown.end(), [&](const Shown& a, const Shown& b) {
+        return visit[static_cast<std::size_t>(a.node)] < visit[static_cast<std::size_t>(b.node)];
+    });
+    std::unordered_map<XmlNode, int> firstNode;
+    std::unordered_set<XmlNode> seen;
+    for (const Shown& one : shown) {
+        if (!one.geometry) continue;
+        const auto [first, isNew] = firstNode.try_emplace(one.geometry, one.node);
+        if (isNew)
+            checkGeometry(subject, one.geometry, seen);
+        else if (!isSame(subject.world(first->second), subject.world(one.node)))
+            subject.report(Code::GazeboRepeatedGeometry, one.instance, {nameOf(one.geometry)});
+    }
+}
+
+// ---- nodes (LoadNode, LoadNodeTransform)
+
+// What it makes of a node's transform elements.
+glm::dmat4 asGazeboReads(const TransformStack& stack) {
+    using Kind = TransformElement::Kind;
+    glm::dmat4 translation(1.0), rotation(1.0), scale(1.0);
+    bool hasTranslation = false, hasScale = false;
+    for (const TransformElement& element : stack.elements) {
+        if (element.kind == Kind::Matrix) return element.toMatrix();
+        if (element.kind == Kind::Rotate) rotation *= element.toMatrix();
+        if (element.kind == Kind::Translate && !std::exchange(hasTranslation, true))
+            translation = element.toMatrix();
+        if (element.kind == Kind::Scale && !std::exchange(hasScale, true)) scale = element.toMatrix();
+    }
+    return translation * rotation * scale;
+}
+
+// Of meshes, joints and what is around them; cameras and lights are not read anyway.
+void checkTransforms(const Subject& subject) {
+    std::set<int> matter;
+    const auto add = [&](int node) {
+        while (node != kNoParent && matter.insert(node).second)
+            node = subject.scene().skeleton.joints[static_cast<std::size_t>(node)].parent;
+    };
+    for (const Shown& shown : subject.shown()) add(shown.node);
+    for (std::size_t i = 0; i < subject.scene().skeleton.joints.size(); ++i)
+        if (subject.scene().skeleton.joints[i].isJoint) add(static_cast<int>(i));
+    std::unordered_set<XmlNode> seen;
+    for (const int i : matter) {
+        const TransformStack& stack = subject.scene().stacks[static_cast<std::size_t>(i)];
+        const XmlNode node = subject.element(i);
+        if (seen.insert(node).second && !isSame(stack.toMatrix(), asGazeboReads(stack)))
+            subject.report(Code::GazeboTransforms, node, {nameOf(node)});
+    }
+}
+
+// After a node's first <instance_node> it goes on to the next node.
+void checkInstanceNodes(const Subject& subject) {
+    for (const XmlNode node : subject.all("node")) {
+        const XmlNode first = node.child("instance_node");
+        if (!first) continue;
+        for (const XmlNode other : node.children())
+            if (isOneOf(other, {"instance_node", "instance_geometry", "instance_controller"}) &&
+                !(other == first))
+                subject.report(Code::GazeboInstanceNode, other, {nameOf(node), std::string(other.name())});
+    }
+}
+
+void checkNames(const Subject& subject) {
+    for (const XmlNode node : subject.all("node"))
+        if (!node.has("name") && node.parent().is("node") && !node.parent().has("name"))
+            subject.report(Code::GazeboUnnamedNode, node, {nameOf(node)});
+}
+
+void checkScene(const Subject& subject) {
+    if (!subject.collada().child("scene").child("instance_visual_scene"))
+        subject.report(Code::GazeboNoScene, subject.collada(), {});
+    if (subject.model().asset.upAxis != UpAxis::Z) {
+        const XmlNode asset = subject.collada().child("asset"), axis = asset.child("up_axis");
+        subject.report(Code::GazeboUpAxis,
+                       axis    ? axis
+                       : asset ? asset
+                               : subject.collada(),
+                       {subject.model().asset.upAxis == UpAxis::Y ? "Y" : "X"});
+    }
+    std::unordered_set<XmlNode> seen;
+    for (const auto& instances : {subject.scene().cameras, subject.scene().lights})
+        for (const SceneGraph::Instance& instance : instances)
+            if (seen.insert(instance.element).second)
+                subject.report(Code::GazeboNotRead, instance.element, {std::string(instance.element.name())});
+}
+
+// ---- references (ElementId)
+
+// It takes the first element, in document order, whose id or sid is the one that it looks for, whatever its kind.
+class FirstOfName {
+public:
+    explicit FirstOfName(const Subject& subject) {
+        for (const XmlNode element : subject.elements())
+            for (const std::string_view name : {element.id(), element.sid()})
+                if (!name.empty()) first_.try_emplace(std::string(name), element);
+    }
+    XmlNode operator()(std::string_view name) const {
+        const auto found = first_.find(std::string(name));
+        return found == first_.end() ? XmlNode() : found->second;
+    }
+
+private:
+    std::unordered_map<std::string, XmlNode> first_;
+};
+
+void reportAmbiguous(const Subject& subject, XmlNode from, std::string_view reference, XmlNode taken) {
+    subject.report(Code::GazeboAmbiguousId, from,
+                   {std::string(reference), std::string(taken.name()), std::to_string(taken.line())});
+}
+
+// The image that a sampler of an effect leads to, each sid being looked up by `find`.
+template <typename Find>
+std::string imageBehind(XmlNode parameter, Find find) {
+    if (parameter.is("image")) return std::string(parameter.id());
+    const XmlNode surface = find(parameter.child("sampler2D").child("source").text());
+    return surface.child("surface").child("init_from").text();
+}
+
+// A <texture> names a <newparam> of its own effect by sid; other effects may have one of that name before it.
+void checkSamplers(const Subject& subject, const FirstOfName& first) {
+    for (const XmlNode texture : subject.all("texture")) {
+        XmlNode profile = texture.parent();
+        while (profile && !profile.is("profile_COMMON")) profile = profile.parent();
+        const auto inProfile = [&](std::string_view sid) {
+            for (const XmlNode parameter : profile.children("newparam"))
+                if (parameter.sid() == sid) return parameter;
+            return XmlNode();
+        };
+        const std::string_view name = texture.attribute("texture");
+        const XmlNode meant = inProfile(name), taken = first(name);
+        if (meant && taken && imageBehind(meant, inProfile) != imageBehind(taken, first))
+            reportAmbiguous(subject, texture, name,
+                            taken == meant ? first(meant.child("sampler2D").child("source").text()) : taken);
+    }
+}
+
+void checkReferences(const Subject& subject) {
+    const FirstOfName first(subject);
+    for (const char* attribute : {"url", "source", "target"})
+        for (const XmlNode element : subject.elements()) {
+            const std::string_view uri = element.attribute(attribute);
+            if (uri.size() < 2 || uri.front() != '#') continue;
+            const XmlNode meant = subject.follow(element, attribute), taken = first(uri.substr(1));
+            if (meant && taken && !(meant == taken)) reportAmbiguous(subject, element, uri.substr(1), taken);
+        }
+    checkSamplers(subject, first);
+}
+
+// ---- skins (LoadController)
+
+void checkJointNames(const Subject& subject, XmlNode skin) {
+    const XmlNode source = subject.sourceOf(skin.child("joints"), "JOINT");
+    const XmlNode names = source.child("Name_array");
+    if (!names) {
+        if (source) subject.report(Code::GazeboJointArray, source, {nameOf(skin.parent())});
+        return;
+    }
+    std::unordered_set<std::string> known;  // as LoadSingleSkeletonNode calls them
+    for (const XmlNode node : subject.all("node")) {
+        const std::string_view sid = node.sid(), name = node.attribute("name");
+        known.emplace(!sid.empty() ? sid : !name.empty() ? name : node.id());
+    }
+    for (const std::string& word : wordsOf(names))
+        if (!known.contains(word)) subject.report(Code::GazeboJointName, names, {word});
+}
+
+void checkBindShape(const Subject& subject, const Shown& shown, XmlNode skin) {
+    const XmlNode shape = skin.child("bind_shape_matrix");
+    if (!shape) return subject.report(Code::GazeboBindShapeMissing, skin, {nameOf(skin.parent())});
+    const bool hasTriangles = shown.geometry && shown.geometry.child("mesh").child("triangles");
+    if (hasTriangles && !isIdentity(matrixOf(numbersOf(shape))))
+        subject.report(Code::GazeboBindShapeIgnored, shape, {nameOf(shown.geometry)});
+}
+
+void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin) {
+    checkBindShape(subject, shown, skin);
+    checkJointNames(subject, skin);
+    const XmlNode weights = skin.child("vertex_weights");
+    const int advance = offsetOf(inputOf(weights, "JOINT")) + offsetOf(inputOf(weights, "WEIGHT")) + 1;
+    if (weights && advance != indicesPerCorner(weights))
+        subject.report(Code::GazeboWeightOffsets, weights, {});
+    if (!isIdentity(subject.world(shown.node)))
+        subject.report(Code::GazeboSkinNode, shown.instance, {nameOf(subject.element(shown.node))});
+}
+
+void checkControllers(const Subject& subject) {
+    std::unordered_set<XmlNode> seen;
+    for (const Shown& shown : subject.shown())
+        for (const XmlNode controller : shown.controllers) {
+            if (!seen.insert(controller).second) continue;
+            if (controller.is("morph"))
+                subject.report(Code::GazeboMorph, controller, {nameOf(controller.parent())});
+            else
+                checkSkin(subject, shown, controller);
+        }
+}
+
+}  // namespace
+
+void checkGazebo(const Subject& subject) {
+    checkScene(subject);
+    checkNames(subject);
+    checkInstanceNodes(subject);
+    checkTransforms(subject);
+    checkInstances(subject);
+    checkControllers(subject);
+    checkReferences(subject);
+}
+
+}  // namespace walkcycle

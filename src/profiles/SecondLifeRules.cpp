@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_set>
+
+#include "loaders/ChannelTarget.h"
+#include "profiles/Rules.h"
+#include "profiles/SecondLifeJoints.h"
+
+// What the uploader of Second Life's viewer leaves out or refuses:
+// https://github.com/secondlife/viewer (indra/llprimitive/lldaeloader.cpp and llmodelloader.cpp)
+namespace walkcycle {
+namespace {
+
+constexpr std::size_t kMostJoints = 110;          // LL_MAX_JOINTS_PER_MESH_OBJECT
+constexpr std::size_t kMostFaces = 8;             // LL_SCULPT_MESH_MAX_FACES
+constexpr std::size_t kMostCorners = 65535;       // VERTEX_NUMBER_OVERFLOW
+constexpr std::size_t kTrianglesPerFace = 21844;  // of a <polylist>, which is split: 65532 indices
+constexpr std::size_t kJointsPerVertex = 4;       // processDomModel
+
+bool isRead(XmlNode primitive) {
+    return isOneOf(primitive, {"triangles", "polylist", "polygons"});
+}
+
+// ---- geometry (get_dom_sources, load_face_from_dom_*)
+
+// For each entry of a source the first one that holds the same numbers.
+std::vector<std::int32_t> firstEqual(XmlNode source) {
+    const std::vector<double> numbers = numbersOf(source.child("float_array"));
+    const auto width = static_cast<std::size_t>(std::max(1, strideOf(source)));
+    std::map<std::vector<double>, std::int32_t> seen;
+    std::vector<std::int32_t> first;
+    for (std::size_t at = 0; at + width <= numbers.size(); at += width) {
+        const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(at);
+        const std::vector<double> entry(begin, begin + static_cast<std::ptrdiff_t>(width));
+        first.push_back(seen.try_emplace(entry, static_cast<std::int32_t>(first.size())).first->second);
+    }
+    return first;
+}
+
+// Corners that differ in position, normal or texture coordinates, which the uploader does not join.
+std::size_t differentCorners(const Subject& subject, XmlNode primitive) {
+    std::vector<std::int32_t> indices;
+    for (const XmlNode p : primitive.children("p")) {
+        const std::vector<std::int32_t> more = integersOf(p);
+        indices.insert(indices.end(), more.begin(), more.end());
+    }
+    const auto stride = static_cast<std::size_t>(indicesPerCorner(primitive));
+    if (indices.size() / stride < kMostCorners) return 0;
+    std::vector<std::pair<std::size_t, std::vector<std::int32_t>>>
+        inputs;  // offset, and which entries are equal
+    for (const XmlNode input : primitive.children("input")) {
+        const XmlNode source = subject.follow(input, "source");
+        inputs.emplace_back(
+            static_cast<std::size_t>(offsetOf(input)),
+            firstEqual(source.is("vertices") ? subject.sourceOf(source, "POSITION") : source));
+    }
+    std::set<std::vector<std::int32_t>> corners;
+    for (std::size_t first = 0; first + stride <= indices.size(); first += stride) {
+        std::vector<std::int32_t> corner;
+        for (const auto& [offset, equal] : inputs) {
+            const auto index = static_cast<std::size_t>(std::max(0, indices[first + offset]));
+            corner.push_back(index < equal.size() ? equal[index] : -1);
+        }
+        corners.insert(std::move(corner));
+    }
+    return corners.size();
+}
+
+void checkWidth(const Subject& subject, XmlNode source, const char* what, int expected,
+                std::unordered_set<XmlNode>& seen) {
+    if (accessorOf(source) && strideOf(source) != expected && seen.insert(source).second)
+        subject.report(Code::SlSourceWidth, accessorOf(source),
+                       {what, std::to_string(expected), std::to_string(strideOf(source))});
+}
+
+void checkSources(const Subject& subject, XmlNode primitive, std::unordered_set<XmlNode>& seen) {
+    const XmlNode vertices = subject.sourceOf(primitive, "VERTEX");
+    checkWidth(subject, subject.sourceOf(vertices, "POSITION"), "positions", 3, seen);
+    int sets = 0;
+    for (const XmlNode parent : {primitive, vertices}) {
+        checkWidth(subject, subject.sourceOf(parent, "NORMAL"), "normals", 3, seen);
+        for (const XmlNode input : parent.children("input"))
+            if (input.attribute("semantic") == "TEXCOORD") {
+                checkWidth(subject, subject.follow(input, "source"), "texture coordinates", 2, seen);
+                ++sets;
+            }
+    }
+    if (sets > 1) subject.report(Code::SlTexCoordSets, primitive, {std::to_string(sets)});
+}
+
+// How many faces of the object a part becomes: a long <polylist> is split.
+std::size_t facesOf(XmlNode primitive) {
+    if (!primitive.is("polylist")) return 1;
+    std::size_t triangles = 0;
+    for (const std::int32_t count : integersOf(primitive.child("vcount")))
+        triangles += static_cast<std::size_t>(std::max(0, count - 2));
+    return std::max<std::size_t>(1, (triangles + kTrianglesPerFace - 1) / kTrianglesPerFace);
+}
+
+void checkMesh(const Subject& subject, XmlNode mesh) {
+    std::size_t faces = 0;
+    std::unordered_set<XmlNode> seen;
+    for (const XmlNode primitive : mesh.children()) {
+        if (isOneOf(primitive, {"lines", "linestrips", "trifans", "tristrips"}))
+            subject.report(Code::SlPrimitive, primitive, {std::string(primitive.name())});
+        if (primitive.child("ph")) subject.report(Code::SlPrimitive, primitive.child("ph"), {"ph"});
+        if (!isRead(primitive)) continue;
+        faces += facesOf(primitive);
+        checkSources(subject, primitive, seen);
+        if (primitive.is("polylist")) continue;
+        const std::size_t corners = differentCorners(subject, primitive);
+        if (corners >= kMostCorners)
+            subject.report(Code::SlVertices, primitive,
+                           {std::string(primitive.name()), std::to_string(corners)});
+    }
+    if (faces > kMostFaces)
+        subject.report(Code::SlFaces, mesh,
+                       {std::to_string(faces), std::to_string((faces + kMostFaces - 1) / kMostFaces)});
+}
+
+// ---- skins (verifyController, processDomModel, critiqueRigForUploadApplicability)
+
+void checkJoints(const Subject& subject, XmlNode skin) {
+    const XmlNode source = subject.sourceOf(skin.child("joints"), "JOINT");
+    const XmlNode array =
+        source.child("Name_array") ? source.child("Name_array") : source.child("IDREF_array");
+    if (!array) return;
+    const std::vector<std::string> names = wordsOf(array);
+    if (names.size() > kMostJoints)
+        subject.report(Code::SlTooManyJoints, array, {std::to_string(names.size())});
+    for (const std::string& name : names)
+        if (!isSecondLifeJoint(name)) subject.report(Code::SlJointName, array, {name});
+}
+
+void checkWeights(const Subject& subject, XmlNode skin) {
+    const XmlNode weights = skin.child("vertex_weights");
+    const Crowding crowding = verticesOver(subject, skin, kJointsPerVertex);
+    if (crowding.vertices > 0)
+        subject.report(Code::SlManyInfluences, weights,
+                       {std::to_string(crowding.vertices), std::to_string(crowding.most)});
+    const XmlNode mesh = subject.follow(skin, "source").child("mesh");
+    const XmlNode positions = subject.follow(mesh.child("vertices").child("input"), "source");
+    const int claimed = integerAttribute(weights, "count", -1);
+    const int held = integerAttribute(accessorOf(positions), "count", -1);
+    if (claimed >= 0 && held >= 0 && claimed != held)
+        subject.report(Code::SlWeightCount, weights, {std::to_string(claimed), std::to_string(held)});
+}
+
+void checkControllers(const Subject& subject) {
+    std::unordered_set<XmlNode> seen;
+    for (const Shown& shown : subject.shown())
+        for (const XmlNode controller : shown.controllers) {
+            if (!seen.insert(controller).second) continue;
+            if (controller.is("morph")) {
+                subject.report(Code::SlMorph, controller, {nameOf(controller.parent())});
+                continue;
+            }
+            if (!controller.child("bind_shape_matrix"))
+                subject.report(Code::SlBindShapeMissing, controller, {nameOf(controller.parent())});
+            checkJoints(subject, controller);
+            checkWeights(subject, controller);
+        }
+}
+
+// ---- nodes (processElement)
+
+void checkTransforms(const Subject& subject, const Shown& shown, std::unordered_set<XmlNode>& seen) {
+    double turnedInsideOut = 1.0;
+    for (const XmlNode node : subject.around(shown.node))
+        for (const XmlNode element : node.children()) {
+            if (element.is("matrix")) turnedInsideOut *= glm::determinant(matrixOf(numbersOf(element)));
+            const bool isNew = seen.insert(element).second;
+            if (isNew && isOneOf(element, {"skew", "lookat"}))
+                subject.report(Code::SlTransform, element, {std::string(element.name())});
+            if (!isNew || !element.is("scale")) continue;
+            const std::vector<double> factors = numbersOf(element);
+            if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor < 0.0; }))
+                subject.report(Code::SlNegativeScale, element, {nameOf(node)});
+        }
+    if (turnedInsideOut < 0.0)
+        subject.report(Code::SlMirrored, shown.instance, {nameOf(subject.element(shown.node))});
+}
+
+// ---- materials (profileToMaterial)
+
+void checkMaterials(const Subject& subject) {
+    for (const XmlNode texture : subject.all("texture"))
+        if (enclosing(texture, "profile_COMMON") && !texture.parent().is("diffuse"))
+            subject.report(Code::SlTextureSlot, texture, {std::string(texture.parent().name())});
+    for (const XmlNode image : subject.all("image")) {
+        const XmlNode from = image.child("init_from");
+        const std::string extension = extensionOf(from.text());
+        static constexpr std::string_view kRead[] = {"", "bmp", "tga", "jpg", "jpeg", "png", "j2c", "jp2"};
+        if (std::find(std::begin(kRead), std::end(kRead), extension) == std::end(kRead))
+            subject.report(Code::SlPictureFormat, from, {from.text()});
+    }
+}
+
+}  // namespace
+
+void checkSecondLife(const Subject& subject) {
+    std::unordered_set<XmlNode> geometries, transforms;
+    for (const Shown& shown : subject.shown()) {
+        if (shown.geometry && geometries.insert(shown.geometry).second)
+            checkMesh(subject, shown.geometry.child("mesh"));
+        if (shown.instance.is("instance_geometry")) checkTransforms(subject, shown, transforms);
+    }
+    checkControllers(subject);
+    checkMaterials(subject);
+    const XmlNode animations = subject.collada().child("library_animations");
+    if (animations.child("animation")) subject.report(Code::SlAnimations, animations, {});
+}
+
+}  // namespace walkcycle
