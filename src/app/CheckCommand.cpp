@@ -2,13 +2,17 @@
 #include <cctype>
 #include <filesystem>
 #include <memory>
+#include <new>
 
 #include "app/CheckReport.h"
+#include "app/CodeNames.h"
 #include "app/Commands.h"
 #include "app/ExitCode.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
+#include "io/File.h"
 #include "loaders/Diagnostics.h"
+#include "profiles/Profile.h"
 
 namespace walkcycle {
 namespace {
@@ -17,20 +21,24 @@ namespace fs = std::filesystem;
 
 struct CheckOptions {
     LoadArguments load;
-    std::vector<std::string> files, ignored;
+    std::vector<std::string> files, ignored, profiles;
     std::string failOn = "error";
     bool json = false;
 };
 
 void declare(CheckOptions& options, Arguments& arguments) {
     arguments.positionals("FILE", "Documents, or folders that hold some; - is standard input", options.files);
+    arguments.options("--profile", "gltf|gazebo|secondlife|thinmatrix",
+                      "Say as well what is lost there; may be repeated", options.profiles);
     arguments.flag("--json", "Print JSON, with the glTF validator's field names", options.json);
     arguments.choice("--fail-on", {"error", "warning"}, "From which severity on the exit code is 1",
                      options.failOn);
-    arguments.options("--ignore", "CODE", "Leave out messages of this code", options.ignored);
+    arguments.options("--ignore", "CODE", "Leave out messages of this code; may be repeated",
+                      options.ignored);
     options.load.declare(arguments);
     arguments.examples(
         "  walkcycle check hero.dae                    what is wrong, each with its line and its cure\n"
+        "  walkcycle check hero.dae --profile gazebo   and what Gazebo makes of it\n"
         "  walkcycle check exports/ --strict --quiet   for a build: exit code 1 where anything is\n"
         "  walkcycle explain WC0401                    more about one message\n");
 }
@@ -42,7 +50,7 @@ bool isDocument(const fs::path& path) {
     return extension == ".dae" || extension == ".zae";
 }
 
-// The documents of a folder and of those below it, in the order of their names.
+// The documents of a folder and of those below it, in the order of their names. Throws UsageError where it has none.
 std::vector<std::string> documentsIn(const std::string& folder) {
     std::vector<std::string> files;
     std::error_code error;
@@ -57,25 +65,73 @@ std::vector<std::string> documentsIn(const std::string& folder) {
     return files;
 }
 
-std::vector<std::string> allFiles(const CheckOptions& options) {
+// What there is to check. A folder that cannot be read does not keep the rest from being checked.
+struct Work {
     std::vector<std::string> files;
+    bool several = false;  // asked for more than one file, or for a folder
+    bool unreadable = false;
+};
+
+Work workOf(const std::vector<std::string>& names) {
+    Work work;
+    work.several = names.size() > 1;
     std::error_code ignored;
-    for (const std::string& name : options.files) {
+    for (const std::string& name : names) {
         if (!fs::is_directory(name, ignored)) {
-            files.push_back(name);
+            work.files.push_back(name);
             continue;
         }
-        const std::vector<std::string> inside = documentsIn(name);
-        files.insert(files.end(), inside.begin(), inside.end());
+        work.several = true;
+        try {
+            const std::vector<std::string> inside = documentsIn(name);
+            work.files.insert(work.files.end(), inside.begin(), inside.end());
+        } catch (const UsageError& error) {
+            printError(error.what());
+            work.unreadable = true;
+        }
     }
-    return files;
+    return work;
 }
 
-CheckReport check(const CheckOptions& options, const std::string& file) {
+std::vector<Profile> profilesOf(const std::vector<std::string>& names) {
+    std::vector<Profile> profiles;
+    for (const std::string& name : names) {
+        const std::optional<Profile> profile = profileNamed(name);
+        if (!profile)
+            throw UsageError("--profile: '" + name + "' is none of gltf, gazebo, secondlife, thinmatrix");
+        if (std::find(profiles.begin(), profiles.end(), *profile) == profiles.end())
+            profiles.push_back(*profile);
+    }
+    return profiles;
+}
+
+std::vector<std::string> ignoredCodes(const std::vector<std::string>& names) {
+    std::vector<std::string> codes;
+    for (const std::string& name : names) {
+        const CodeInfo* entry = codeNamed(name);
+        if (!entry)
+            throw UsageError("--ignore: there is no message '" + name + "'; `walkcycle explain` lists all");
+        codes.emplace_back(entry->id);
+    }
+    return codes;
+}
+
+// A file that could not be read at all, for a reason that the loader does not know.
+void addFailure(CheckReport& report, const std::string& reason) {
+    Diagnostic diagnostic;
+    diagnostic.code = info(Code::FileUnreadable).id;
+    diagnostic.file = report.file;
+    diagnostic.message = reason;
+    diagnostic.cure = info(Code::FileUnreadable).cure;
+    report.diagnostics.push_back(std::move(diagnostic));
+    report.readable = false;
+}
+
+CheckReport check(const LoadArguments& load, const std::string& file) {
     CheckReport report;
     report.file = file;
     try {
-        Model model = options.load.loadSilently(file);
+        Model model = load.loadSilently(file);
         report.loaded = true;
         report.version = model.asset.version;
         report.authoringTool = model.asset.authoringTool;
@@ -85,44 +141,67 @@ CheckReport check(const CheckOptions& options, const std::string& file) {
         report.diagnostics = error.diagnostics;
         report.readable =
             error.diagnostics.empty() || error.diagnostics.back().code != info(Code::FileUnreadable).id;
+    } catch (const FileError& error) {
+        addFailure(report, error.what());
+    } catch (const std::bad_alloc&) {
+        addFailure(report, "there is not enough memory for it");
     }
-    std::erase_if(report.diagnostics, [&](const Diagnostic& diagnostic) {
-        return std::find(options.ignored.begin(), options.ignored.end(), diagnostic.code) !=
-               options.ignored.end();
-    });
     return report;
 }
 
-std::string summary(const CheckReport& report) {
+void leaveOut(std::vector<Diagnostic>& diagnostics, const std::vector<std::string>& codes) {
+    std::erase_if(diagnostics, [&](const Diagnostic& diagnostic) {
+        return std::find(codes.begin(), codes.end(), diagnostic.code) != codes.end();
+    });
+}
+
+bool hasFailed(const CheckReport& report, bool warningsFail) {
     const DiagnosticCounts counts = count(report.diagnostics);
-    const auto number = [](int n, const char* word) {
-        return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
+    return !report.loaded || counts.errors > 0 || (warningsFail && counts.warnings > 0);
+}
+
+// Checks them one after the other, and says what is wrong with each as soon as it is known.
+std::vector<CheckReport> checkAll(const CheckOptions& options, const Work& work) {
+    const std::vector<std::string> ignored = ignoredCodes(options.ignored);
+    const std::vector<Profile> profiles = profilesOf(options.profiles);
+    LoadArguments load = options.load;
+    if (!profiles.empty())
+        load.options.inspector = [&profiles](const Inspection& inspection) {
+            for (const Profile profile : profiles) checkProfile(profile, inspection);
+        };
+    Progress progress("checking", !options.load.quiet);
+    std::vector<CheckReport> reports;
+    load.options.progress = [&](double share) {
+        progress.update((static_cast<double>(reports.size()) + share) /
+                        static_cast<double>(work.files.size()));
     };
-    std::string line = report.file + ": ";
-    if (counts.errors + counts.warnings + counts.infos == 0)
-        return line + (report.loaded ? "fine\n" : "nothing to show\n");
-    line += number(counts.errors, "error") + ", " + number(counts.warnings, "warning") + ", " +
-            number(counts.infos, "note");
-    return line + (report.loaded ? "\n" : "; nothing can be shown\n");
+    for (const std::string& file : work.files) {
+        CheckReport report = check(load, file);
+        leaveOut(report.diagnostics, ignored);
+        report.profiles = options.profiles;
+        if (!options.json) {
+            progress.clear();
+            printDiagnostics(report.diagnostics, options.load.quiet ? Severity::Error : Severity::Info);
+            printOut(summary(report));
+        }
+        reports.push_back(std::move(report));
+    }
+    return reports;
 }
 
 int run(const CheckOptions& options) {
+    const Work work = workOf(options.files);
+    const std::vector<CheckReport> reports = checkAll(options, work);
+    if (options.json && (work.several || !reports.empty()))
+        printOut(reportsJson(reports, work.several));
+    else if (!options.json && reports.size() > 1)
+        printOut(total(reports));
     const bool warningsFail = options.load.strict || options.failOn == "warning";
-    std::vector<CheckReport> reports;
-    bool unreadable = false, failed = false;
-    for (const std::string& file : allFiles(options)) {
-        CheckReport report = check(options, file);
-        const DiagnosticCounts counts = count(report.diagnostics);
+    bool unreadable = work.unreadable, failed = false;
+    for (const CheckReport& report : reports) {
         unreadable |= !report.readable;
-        failed |= !report.loaded || counts.errors > 0 || (warningsFail && counts.warnings > 0);
-        if (!options.json) {
-            printDiagnostics(report.diagnostics, options.load.quiet ? Severity::Error : Severity::Info);
-            printOut(summary(report));
-        } else {
-            reports.push_back(std::move(report));
-        }
+        failed |= hasFailed(report, warningsFail);
     }
-    if (options.json) printOut(reportsJson(reports));
     return unreadable ? kWrongUsage : failed ? kFaultsFound : kFine;
 }
 

@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <memory>
 
+#include "app/CodeNames.h"
 #include "app/Commands.h"
 #include "app/ExitCode.h"
 #include "app/Messages.h"
@@ -11,23 +11,6 @@ namespace {
 
 const char* word(Severity severity) {
     return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "info";
-}
-
-std::string upper(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return text;
-}
-
-// "WC0207", "wc0207" and "207" mean the same.
-const CodeInfo* find(const std::string& wanted) {
-    const std::string code = upper(wanted);
-    for (const CodeInfo& entry : diagnosticCatalogue()) {
-        const std::string id = entry.id;
-        if (id == code || id == "WC" + std::string(4 - std::min<std::size_t>(4, code.size()), '0') + code)
-            return &entry;
-    }
-    return nullptr;
 }
 
 std::string explanation(const CodeInfo& entry) {
@@ -43,7 +26,7 @@ int run(const std::string& wanted) {
         printOut(list);
         return kFine;
     }
-    const CodeInfo* entry = find(wanted);
+    const CodeInfo* entry = codeNamed(wanted);
     if (!entry) throw UsageError("there is no message '" + wanted + "'; `walkcycle explain` alone lists all");
     printOut(explanation(*entry));
     return kFine;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "loaders/Diagnostics.h"
+
+namespace walkcycle {
+
+// The catalogue's entry for what a user typed: "WC0207", "wc0207" and "207" mean the same. Null: there is none.
+const CodeInfo* codeNamed(const std::string& wanted);
+
+}  // namespace walkcycle
