@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <unordered_set>
 
 #include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
@@ -7,14 +7,16 @@
 namespace walkcycle {
 namespace {
 
-// Whether a material of that <effect> is see-through, as the format means it.
-bool isTransparent(const Subject& subject, XmlNode effect) {
-    for (const XmlNode material : subject.all("material")) {
-        if (!(subject.follow(material.child("instance_effect"), "url") == effect)) continue;
-        for (const Material& loaded : subject.model().materials)
-            if (loaded.id == material.id() && loaded.transparent) return true;
-    }
-    return false;
+// The <effect>s whose materials are see-through, as the format means it.
+std::unordered_set<XmlNode> transparentEffects(const Subject& subject) {
+    std::unordered_set<std::string> materials;
+    for (const Material& material : subject.model().materials)
+        if (material.transparent) materials.insert(material.id);
+    std::unordered_set<XmlNode> effects;
+    for (const XmlNode material : subject.all("material"))
+        if (materials.contains(std::string(material.id())))
+            effects.insert(subject.follow(material.child("instance_effect"), "url"));
+    return effects;
 }
 
 }  // namespace
@@ -25,8 +27,9 @@ void checkGazeboMaterials(const Subject& subject) {
     for (const XmlNode texture : subject.all("texture"))
         if (isOneOf(texture.parent(), {"ambient", "emission", "specular", "reflective"}))
             subject.report(Code::GazeboTextureSlot, texture, {std::string(texture.parent().name())});
+    const std::unordered_set<XmlNode> effects = transparentEffects(subject);
     for (const XmlNode transparent : subject.all("transparent"))
-        if (!transparent.has("opaque") && isTransparent(subject, enclosing(transparent, "effect")))
+        if (!transparent.has("opaque") && effects.contains(enclosing(transparent, "effect")))
             subject.report(Code::GazeboOpaque, transparent, {});
     for (const XmlNode image : subject.all("image"))
         if (image.child("init_from").text().find('%') != std::string::npos)

@@ -48,7 +48,8 @@ void checkKeyTimes(const Subject& subject, const std::vector<XmlNode>& channels)
         if (!node.is("node") || !times) continue;
         const auto [first, isNew] = firstTimes.try_emplace(node, times);
         if (isNew || first->second == times) continue;
-        if (numbersOf(first->second.child("float_array")) != numbersOf(times.child("float_array")))
+        if (subject.contents(first->second.child("float_array")) !=
+            subject.contents(times.child("float_array")))
             subject.report(Code::GazeboKeyTimes, channel, {nameOf(node)});
     }
 }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
 
 // What the COLLADA loader of Gazebo (gz-common; gazebo-classic has its ancestor) leaves out or takes for something else:
@@ -39,7 +40,7 @@ void checkConcave(const Subject& subject, XmlNode polylist) {
     const XmlNode source = subject.sourceOf(subject.sourceOf(polylist, "VERTEX"), "POSITION");
     const int width = strideOf(source), stride = indicesPerCorner(polylist);
     if (width < 3) return;
-    const std::vector<double> positions = numbersOf(source.child("float_array"));
+    const std::vector<double>& positions = subject.numbers(source.child("float_array"));
     const std::vector<std::int32_t> p = integersOf(polylist.child("p"));
     std::size_t at = static_cast<std::size_t>(offsetOf(inputOf(polylist, "VERTEX"))), concave = 0;
     for (const std::int32_t count : integersOf(polylist.child("vcount"))) {
@@ -165,8 +166,7 @@ glm::dmat4 asGazeboReads(const TransformStack& stack) {
 void checkTransforms(const Subject& subject) {
     std::set<int> matter;
     const auto add = [&](int node) {
-        while (node != kNoParent && matter.insert(node).second)
-            node = subject.scene().skeleton.joints[static_cast<std::size_t>(node)].parent;
+        while (node != kNoParent && matter.insert(node).second) node = subject.parent(node);
     };
     for (const Shown& shown : subject.shown()) add(shown.node);
     for (std::size_t i = 0; i < subject.scene().skeleton.joints.size(); ++i)
@@ -250,19 +250,21 @@ std::string imageBehind(XmlNode parameter, Find find) {
 
 // A <texture> names a <newparam> of its own effect by sid; other effects may have one of that name before it.
 void checkSamplers(const Subject& subject, const FirstOfName& first) {
+    std::unordered_map<XmlNode, std::unordered_map<std::string, XmlNode>>
+        parameters;  // of each profile, by sid
+    for (const XmlNode parameter : subject.all("newparam"))
+        parameters[parameter.parent()].try_emplace(std::string(parameter.sid()), parameter);
     for (const XmlNode texture : subject.all("texture")) {
-        XmlNode profile = texture.parent();
-        while (profile && !profile.is("profile_COMMON")) profile = profile.parent();
+        const auto& ofProfile = parameters[enclosing(texture, "profile_COMMON")];
         const auto inProfile = [&](std::string_view sid) {
-            for (const XmlNode parameter : profile.children("newparam"))
-                if (parameter.sid() == sid) return parameter;
-            return XmlNode();
+            const auto found = ofProfile.find(std::string(sid));
+            return found == ofProfile.end() ? XmlNode() : found->second;
         };
         const std::string_view name = texture.attribute("texture");
         const XmlNode meant = inProfile(name), taken = first(name);
-        if (meant && taken && imageBehind(meant, inProfile) != imageBehind(taken, first))
-            reportAmbiguous(subject, texture, name,
-                            taken == meant ? first(meant.child("sampler2D").child("source").text()) : taken);
+        if (!meant || !taken || imageBehind(meant, inProfile) == imageBehind(taken, first)) continue;
+        const std::string surface = meant.child("sampler2D").child("source").text();
+        reportAmbiguous(subject, texture, name, taken == meant ? first(surface) : taken);
     }
 }
 
@@ -280,17 +282,22 @@ void checkReferences(const Subject& subject) {
 
 // ---- skins (LoadController)
 
-void checkJointNames(const Subject& subject, XmlNode skin) {
+// What LoadSingleSkeletonNode calls the nodes.
+std::unordered_set<std::string> jointNames(const Subject& subject) {
+    std::unordered_set<std::string> names;
+    for (const XmlNode node : subject.all("node")) {
+        const std::string_view sid = node.sid(), name = node.attribute("name");
+        names.emplace(!sid.empty() ? sid : !name.empty() ? name : node.id());
+    }
+    return names;
+}
+
+void checkJointNames(const Subject& subject, XmlNode skin, const std::unordered_set<std::string>& known) {
     const XmlNode source = subject.sourceOf(skin.child("joints"), "JOINT");
     const XmlNode names = source.child("Name_array");
     if (!names) {
         if (source) subject.report(Code::GazeboJointArray, source, {nameOf(skin.parent())});
         return;
-    }
-    std::unordered_set<std::string> known;  // as LoadSingleSkeletonNode calls them
-    for (const XmlNode node : subject.all("node")) {
-        const std::string_view sid = node.sid(), name = node.attribute("name");
-        known.emplace(!sid.empty() ? sid : !name.empty() ? name : node.id());
     }
     for (const std::string& word : wordsOf(names))
         if (!known.contains(word)) subject.report(Code::GazeboJointName, names, {word});
@@ -304,9 +311,10 @@ void checkBindShape(const Subject& subject, const Shown& shown, XmlNode skin) {
         subject.report(Code::GazeboBindShapeIgnored, shape, {nameOf(shown.geometry)});
 }
 
-void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin) {
+void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin,
+               const std::unordered_set<std::string>& joints) {
     checkBindShape(subject, shown, skin);
-    checkJointNames(subject, skin);
+    checkJointNames(subject, skin, joints);
     const XmlNode weights = skin.child("vertex_weights");
     const int advance = offsetOf(inputOf(weights, "JOINT")) + offsetOf(inputOf(weights, "WEIGHT")) + 1;
     if (weights && advance != indicesPerCorner(weights))
@@ -316,6 +324,7 @@ void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin) {
 }
 
 void checkControllers(const Subject& subject) {
+    const std::unordered_set<std::string> joints = jointNames(subject);
     std::unordered_set<XmlNode> seen;
     for (const Shown& shown : subject.shown())
         for (const XmlNode controller : shown.controllers) {
@@ -323,7 +332,7 @@ void checkControllers(const Subject& subject) {
             if (controller.is("morph"))
                 subject.report(Code::GazeboMorph, controller, {nameOf(controller.parent())});
             else
-                checkSkin(subject, shown, controller);
+                checkSkin(subject, shown, controller, joints);
         }
 }
 

@@ -159,13 +159,14 @@ void checkChannels(const Subject& subject) {
 // ---- materials
 
 void checkPictures(const Subject& subject) {
+    std::unordered_set<std::string> used;
+    for (const Texture& texture : subject.model().textures) used.insert(texture.id);
     for (const XmlNode image : subject.all("image")) {
         const XmlNode from = image.child("init_from");
         const std::string uri = from.child("ref") ? from.child("ref").text() : from.text();
         const std::string extension = extensionOf(uri);
-        const bool isUsed = std::any_of(subject.model().textures.begin(), subject.model().textures.end(),
-                                        [&](const Texture& texture) { return texture.id == image.id(); });
-        if (isUsed && !extension.empty() && extension != "png" && extension != "jpg" && extension != "jpeg")
+        if (used.contains(std::string(image.id())) && !extension.empty() && extension != "png" &&
+            extension != "jpg" && extension != "jpeg")
             subject.report(Code::GltfPictureFormat, from, {uri});
     }
     for (const char* name : {"wrap_s", "wrap_t"})

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "loaders/ChannelTarget.h"
@@ -25,8 +26,8 @@ bool isRead(XmlNode primitive) {
 // ---- geometry (get_dom_sources, load_face_from_dom_*)
 
 // For each entry of a source the first one that holds the same numbers.
-std::vector<std::int32_t> firstEqual(XmlNode source) {
-    const std::vector<double> numbers = numbersOf(source.child("float_array"));
+std::vector<std::int32_t> firstEqual(const Subject& subject, XmlNode source) {
+    const std::vector<double>& numbers = subject.numbers(source.child("float_array"));
     const auto width = static_cast<std::size_t>(std::max(1, strideOf(source)));
     std::map<std::vector<double>, std::int32_t> seen;
     std::vector<std::int32_t> first;
@@ -38,8 +39,10 @@ std::vector<std::int32_t> firstEqual(XmlNode source) {
     return first;
 }
 
+using EqualEntries = std::unordered_map<XmlNode, std::vector<std::int32_t>>;  // of each source, found once
+
 // Corners that differ in position, normal or texture coordinates, which the uploader does not join.
-std::size_t differentCorners(const Subject& subject, XmlNode primitive) {
+std::size_t differentCorners(const Subject& subject, XmlNode primitive, EqualEntries& known) {
     std::vector<std::int32_t> indices;
     for (const XmlNode p : primitive.children("p")) {
         const std::vector<std::int32_t> more = integersOf(p);
@@ -47,20 +50,21 @@ std::size_t differentCorners(const Subject& subject, XmlNode primitive) {
     }
     const auto stride = static_cast<std::size_t>(indicesPerCorner(primitive));
     if (indices.size() / stride < kMostCorners) return 0;
-    std::vector<std::pair<std::size_t, std::vector<std::int32_t>>>
-        inputs;  // offset, and which entries are equal
+    std::vector<std::pair<std::size_t, const std::vector<std::int32_t>*>>
+        inputs;  // offset, and what is equal
     for (const XmlNode input : primitive.children("input")) {
-        const XmlNode source = subject.follow(input, "source");
-        inputs.emplace_back(
-            static_cast<std::size_t>(offsetOf(input)),
-            firstEqual(source.is("vertices") ? subject.sourceOf(source, "POSITION") : source));
+        const XmlNode target = subject.follow(input, "source");
+        const XmlNode source = target.is("vertices") ? subject.sourceOf(target, "POSITION") : target;
+        const auto [entry, isNew] = known.try_emplace(source);
+        if (isNew) entry->second = firstEqual(subject, source);
+        inputs.emplace_back(static_cast<std::size_t>(offsetOf(input)), &entry->second);
     }
     std::set<std::vector<std::int32_t>> corners;
     for (std::size_t first = 0; first + stride <= indices.size(); first += stride) {
         std::vector<std::int32_t> corner;
         for (const auto& [offset, equal] : inputs) {
             const auto index = static_cast<std::size_t>(std::max(0, indices[first + offset]));
-            corner.push_back(index < equal.size() ? equal[index] : -1);
+            corner.push_back(index < equal->size() ? (*equal)[index] : -1);
         }
         corners.insert(std::move(corner));
     }
@@ -101,6 +105,7 @@ std::size_t facesOf(XmlNode primitive) {
 void checkMesh(const Subject& subject, XmlNode mesh) {
     std::size_t faces = 0;
     std::unordered_set<XmlNode> seen;
+    EqualEntries equal;
     for (const XmlNode primitive : mesh.children()) {
         if (isOneOf(primitive, {"lines", "linestrips", "trifans", "tristrips"}))
             subject.report(Code::SlPrimitive, primitive, {std::string(primitive.name())});
@@ -109,7 +114,7 @@ void checkMesh(const Subject& subject, XmlNode mesh) {
         faces += facesOf(primitive);
         checkSources(subject, primitive, seen);
         if (primitive.is("polylist")) continue;
-        const std::size_t corners = differentCorners(subject, primitive);
+        const std::size_t corners = differentCorners(subject, primitive, equal);
         if (corners >= kMostCorners)
             subject.report(Code::SlVertices, primitive,
                            {std::string(primitive.name()), std::to_string(corners)});
@@ -165,21 +170,43 @@ void checkControllers(const Subject& subject) {
 
 // ---- nodes (processElement)
 
-void checkTransforms(const Subject& subject, const Shown& shown, std::unordered_set<XmlNode>& seen) {
-    double turnedInsideOut = 1.0;
-    for (const XmlNode node : subject.around(shown.node))
-        for (const XmlNode element : node.children()) {
-            if (element.is("matrix")) turnedInsideOut *= glm::determinant(matrixOf(numbersOf(element)));
-            const bool isNew = seen.insert(element).second;
-            if (isNew && isOneOf(element, {"skew", "lookat"}))
-                subject.report(Code::SlTransform, element, {std::string(element.name())});
-            if (!isNew || !element.is("scale")) continue;
-            const std::vector<double> factors = numbersOf(element);
-            if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor < 0.0; }))
-                subject.report(Code::SlNegativeScale, element, {nameOf(node)});
-        }
-    if (turnedInsideOut < 0.0)
-        subject.report(Code::SlMirrored, shown.instance, {nameOf(subject.element(shown.node))});
+void checkTransformsOf(const Subject& subject, XmlNode node) {
+    for (const XmlNode element : node.children()) {
+        if (isOneOf(element, {"skew", "lookat"}))
+            subject.report(Code::SlTransform, element, {std::string(element.name())});
+        if (!element.is("scale")) continue;
+        const std::vector<double> factors = numbersOf(element);
+        if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor < 0.0; }))
+            subject.report(Code::SlNegativeScale, element, {nameOf(node)});
+    }
+}
+
+// Of each node: whether the matrices of it and what is around it turn a mesh inside out.
+std::vector<bool> insideOut(const Subject& subject) {
+    std::vector<bool> turned;
+    for (std::size_t i = 0; i < subject.scene().nodes.size(); ++i) {
+        const int parent = subject.parent(static_cast<int>(i));
+        bool isTurned = parent != kNoParent && turned[static_cast<std::size_t>(parent)];
+        for (const XmlNode matrix : subject.scene().nodes[i].children("matrix"))
+            if (glm::determinant(matrixOf(numbersOf(matrix))) < 0.0) isTurned = !isTurned;
+        turned.push_back(isTurned);
+    }
+    return turned;
+}
+
+void checkTransforms(const Subject& subject) {
+    const std::vector<bool> turned = insideOut(subject);
+    std::unordered_set<XmlNode> elements;
+    std::unordered_set<int> nodes;
+    for (const Shown& shown : subject.shown()) {
+        if (!shown.instance.is("instance_geometry")) continue;
+        if (turned[static_cast<std::size_t>(shown.node)])
+            subject.report(Code::SlMirrored, shown.instance, {nameOf(subject.element(shown.node))});
+        for (int node = shown.node; node != kNoParent && nodes.insert(node).second;
+             node = subject.parent(node))
+            if (elements.insert(subject.element(node)).second)
+                checkTransformsOf(subject, subject.element(node));
+    }
 }
 
 // ---- materials (profileToMaterial)
@@ -200,12 +227,12 @@ void checkMaterials(const Subject& subject) {
 }  // namespace
 
 void checkSecondLife(const Subject& subject) {
-    std::unordered_set<XmlNode> geometries, transforms;
+    std::unordered_set<XmlNode> geometries;
     for (const Shown& shown : subject.shown()) {
         if (shown.geometry && geometries.insert(shown.geometry).second)
             checkMesh(subject, shown.geometry.child("mesh"));
-        if (shown.instance.is("instance_geometry")) checkTransforms(subject, shown, transforms);
     }
+    checkTransforms(subject);
     checkControllers(subject);
     checkMaterials(subject);
     const XmlNode animations = subject.collada().child("library_animations");

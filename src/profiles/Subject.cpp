@@ -80,11 +80,18 @@ XmlNode Subject::sourceOf(XmlNode parent, std::string_view semantic) const {
     return follow(inputOf(parent, semantic), "source");
 }
 
-std::vector<XmlNode> Subject::around(int node) const {
-    std::vector<XmlNode> nodes;
-    for (; node != kNoParent; node = scene().skeleton.joints[static_cast<std::size_t>(node)].parent)
-        nodes.push_back(element(node));
-    return nodes;
+const std::vector<double>& Subject::numbers(XmlNode list) const {
+    const auto [entry, isNew] = numbers_.try_emplace(list);
+    if (isNew) entry->second = numbersOf(list);
+    return entry->second;
+}
+
+int Subject::contents(XmlNode list) const {
+    const auto [entry, isNew] = contentsOf_.try_emplace(list, 0);
+    if (isNew)
+        entry->second =
+            contents_.try_emplace(&numbers(list), static_cast<int>(contents_.size())).first->second;
+    return entry->second;
 }
 
 std::vector<double> numbersOf(XmlNode node) {
@@ -163,7 +170,8 @@ bool isIdentity(const glm::dmat4& matrix) {
 
 Crowding verticesOver(const Subject& subject, XmlNode skin, std::size_t limit) {
     const XmlNode element = skin.child("vertex_weights");
-    const std::vector<double> weights = numbersOf(subject.sourceOf(element, "WEIGHT").child("float_array"));
+    const std::vector<double>& weights =
+        subject.numbers(subject.sourceOf(element, "WEIGHT").child("float_array"));
     const auto offset = static_cast<std::size_t>(offsetOf(inputOf(element, "WEIGHT")));
     const auto stride = static_cast<std::size_t>(indicesPerCorner(element));
     const std::vector<std::int32_t> indices = integersOf(element.child("v"));

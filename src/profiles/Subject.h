@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,7 +45,12 @@ public:
         return worlds_[static_cast<std::size_t>(node)];
     }  // at rest, as the file has it
     XmlNode element(int node) const { return scene().nodes[static_cast<std::size_t>(node)]; }
-    std::vector<XmlNode> around(int node) const;  // its <node> and those of its ancestors
+    int parent(int node) const { return scene().skeleton.joints[static_cast<std::size_t>(node)].parent; }
+
+    // The numbers of a list, read once however many elements refer to it; what is no number counts as 0.
+    const std::vector<double>& numbers(XmlNode list) const;
+    // The same for lists that hold the same numbers, so that comparing many of them costs no more than reading them.
+    int contents(XmlNode list) const;
 
     void report(Code code, XmlNode where, Diagnostics::Arguments arguments, int line = 0) const {
         inspection_.context.diagnostics.report(code, where, arguments, line);
@@ -58,11 +64,18 @@ private:
     std::unordered_map<std::string_view, std::vector<XmlNode>> byName_;
     std::vector<Shown> shown_;
     std::vector<glm::dmat4> worlds_;
+
+    struct ByContents {
+        bool operator()(const std::vector<double>* a, const std::vector<double>* b) const { return *a < *b; }
+    };
+    mutable std::unordered_map<XmlNode, std::vector<double>> numbers_;
+    mutable std::map<const std::vector<double>*, int, ByContents> contents_;
+    mutable std::unordered_map<XmlNode, int> contentsOf_;
 };
 
 // ---- reading what the loader has judged already; what is no number counts as 0
 
-std::vector<double> numbersOf(XmlNode node);
+std::vector<double> numbersOf(XmlNode node);  // of an element that is asked for once
 std::vector<std::int32_t> integersOf(XmlNode node);
 std::vector<std::string> wordsOf(XmlNode node);
 int integerAttribute(XmlNode node, const char* attribute, int otherwise);

@@ -111,12 +111,12 @@ std::vector<Track> tracksOf(const Subject& subject, XmlNode library) {
 // The first float_array of the first animation is taken for the times of all.
 void checkTimes(const Subject& subject, XmlNode library, const std::vector<Track>& tracks) {
     const XmlNode array = library.child("animation").child("source").child("float_array");
-    const std::vector<double> times = numbersOf(array);
+    const std::vector<double>& times = subject.numbers(array);
     if (array && times.size() < 2) subject.report(Code::TmOneKey, array, {std::to_string(times.size())});
     if (times.size() > 1 && times.front() > 0.0)
         subject.report(Code::TmLateStart, array, {wordsOf(array).front()});
     for (const Track& track : tracks)
-        if (track.times && numbersOf(track.times.child("float_array")) != times)
+        if (track.times && subject.contents(track.times.child("float_array")) != subject.contents(array))
             subject.report(Code::TmKeyTimes, track.times, {track.joint});
 }
 
@@ -127,14 +127,15 @@ bool isScaled(const glm::dmat4& matrix) {
 }
 
 void checkValues(const Subject& subject, const std::vector<Track>& tracks) {
+    std::unordered_set<XmlNode> seen;
     for (const Track& track : tracks) {
-        if (!track.values) continue;
+        if (!track.values || !seen.insert(track.values).second) continue;
         if (strideOf(track.values) != 16) {
             subject.report(Code::TmNotMatrix, track.values,
                            {track.joint, std::to_string(strideOf(track.values))});
             continue;
         }
-        const std::vector<double> numbers = numbersOf(track.values.child("float_array"));
+        const std::vector<double>& numbers = subject.numbers(track.values.child("float_array"));
         for (std::size_t first = 0; first + 16 <= numbers.size(); first += 16)
             if (isScaled(matrixOf(numbers, first))) {
                 subject.report(Code::TmScale, track.values, {track.joint});
@@ -144,8 +145,10 @@ void checkValues(const Subject& subject, const std::vector<Track>& tracks) {
 }
 
 void checkInterpolation(const Subject& subject, const std::vector<Track>& tracks) {
+    std::unordered_set<XmlNode> seen;
     for (const Track& track : tracks) {
         const XmlNode names = subject.sourceOf(track.sampler, "INTERPOLATION").child("Name_array");
+        if (!names || !seen.insert(names).second) continue;
         const std::vector<std::string> words = wordsOf(names);
         const auto others = std::count_if(words.begin(), words.end(),
                                           [](const std::string& word) { return word != "LINEAR"; });

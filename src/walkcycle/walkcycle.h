@@ -13,6 +13,7 @@
 #include "model/Model.h"
 #include "platform/HeadlessContext.h"
 #include "platform/Window.h"
+#include "profiles/Profile.h"
 #include "render/AnimatedModel.h"
 #include "render/AnimatedModelRenderer.h"
 #include "render/Camera.h"
