@@ -1,6 +1,5 @@
 #include <unordered_set>
 
-#include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
 
 // LoadMaterial, LoadColorOrTexture and LoadTransparent of Gazebo's loader: see GazeboRules.cpp.

@@ -2,7 +2,6 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
 
 // LoadAnimations and LoadAnimationSet of Gazebo's loader: see GazeboRules.cpp.
@@ -32,7 +31,7 @@ std::vector<XmlNode> channelsRead(XmlNode library) {
 
 // A matrix and rotations can be moved; the loader forgets the sids of the other transform elements.
 void checkTarget(const Subject& subject, XmlNode channel) {
-    const ChannelTarget target = findTarget(channel);
+    const ChannelTarget target = subject.targetOf(channel);
     if (target.root.is("node") && isOneOf(target.element, {"translate", "scale", "lookat", "skew"}))
         subject.report(Code::GazeboTargetIgnored, channel,
                        {std::string(target.element.name()), nameOf(target.root)});
@@ -43,7 +42,7 @@ void checkKeyTimes(const Subject& subject, const std::vector<XmlNode>& channels)
     std::unordered_map<XmlNode, XmlNode>
         firstTimes;  // <node> -> the <source> of its first channel's key times
     for (const XmlNode channel : channels) {
-        const XmlNode node = findTarget(channel).root;
+        const XmlNode node = subject.targetOf(channel).root;
         const XmlNode times = subject.sourceOf(subject.follow(channel, "source"), "INPUT");
         if (!node.is("node") || !times) continue;
         const auto [first, isNew] = firstTimes.try_emplace(node, times);

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
 
 // What the COLLADA loader of Gazebo (gz-common; gazebo-classic has its ancestor) leaves out or takes for something else:

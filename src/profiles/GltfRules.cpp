@@ -2,7 +2,6 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
 
 // What a glTF 2.0 file cannot hold, or viewers of it need not show:
@@ -148,7 +147,7 @@ void checkCurves(const Subject& subject) {
 // Node transforms and morph weights can be animated, nothing else.
 void checkChannels(const Subject& subject) {
     for (const XmlNode channel : subject.all("channel")) {
-        const ChannelTarget target = findTarget(channel);
+        const ChannelTarget target = subject.targetOf(channel);
         const bool isProperty = isOneOf(target.root, {"camera", "light", "effect", "material"});
         const bool isVisibility = target.root.is("node") && enclosing(target.element, "extra");
         if (target.element && (isProperty || isVisibility))

@@ -4,7 +4,6 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "loaders/ChannelTarget.h"
 #include "profiles/Rules.h"
 #include "profiles/SecondLifeJoints.h"
 

@@ -9,6 +9,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "loaders/ChannelTarget.h"
 #include "loaders/Inspection.h"
 
 namespace walkcycle {
@@ -38,6 +39,7 @@ public:
 
     // What an attribute ("" for the text) refers to; nothing where it leads nowhere, which the loader reported already.
     XmlNode follow(XmlNode from, const char* attribute) const;
+    ChannelTarget targetOf(XmlNode channel) const { return findTarget(channel, sids_); }
     // The <source> (or <vertices>) that the <input> of that semantic names; nothing where there is none.
     XmlNode sourceOf(XmlNode parent, std::string_view semantic) const;
 
@@ -68,6 +70,7 @@ private:
     struct ByContents {
         bool operator()(const std::vector<double>* a, const std::vector<double>* b) const { return *a < *b; }
     };
+    mutable SidFinder sids_;
     mutable std::unordered_map<XmlNode, std::vector<double>> numbers_;
     mutable std::map<const std::vector<double>*, int, ByContents> contents_;
     mutable std::unordered_map<XmlNode, int> contentsOf_;
