@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "Documents.h"
 #include "Require.h"
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
@@ -9,13 +10,6 @@
 namespace {
 
 using namespace walkcycle;
-
-XmlNode next(XmlNode node) {
-    if (const XmlNode child = node.firstChild()) return child;
-    for (; node; node = node.parent())
-        if (const XmlNode sibling = node.nextSibling()) return sibling;
-    return {};
-}
 
 // One read of the text; `reason` is why there is no root.
 struct Reading {
@@ -30,7 +24,7 @@ struct Reading {
         }
     }
 
-    LoadOptions options{.resolver = [](const std::string&) -> std::optional<Bytes> { return std::nullopt; }};
+    LoadOptions options = withoutFiles();
     Diagnostics diagnostics;
     DocumentSet documents;
     XmlNode root;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "Documents.h"
 #include "Require.h"
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
@@ -19,14 +20,6 @@ void check(const std::shared_ptr<const Source<T>>& source) {
     REQUIRE(source->values.size() % source->width == 0);
     if constexpr (std::is_floating_point_v<T>)
         for (const T value : source->values) REQUIRE(std::isfinite(value));
-}
-
-// The next element in document order.
-XmlNode next(XmlNode node) {
-    if (const XmlNode child = node.firstChild()) return child;
-    for (; node; node = node.parent())
-        if (const XmlNode sibling = node.nextSibling()) return sibling;
-    return {};
 }
 
 void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics) {
@@ -48,8 +41,7 @@ void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string text = "<COLLADA>\n";
     text.append(reinterpret_cast<const char*>(data), size).append("</COLLADA>");
-    const LoadOptions options{
-        .resolver = [](const std::string&) -> std::optional<Bytes> { return std::nullopt; }};
+    const LoadOptions options = withoutFiles();
     Diagnostics diagnostics;
     DocumentSet documents(options, diagnostics);
     try {
