@@ -97,7 +97,7 @@ std::size_t facesOf(XmlNode primitive) {
     if (!primitive.is("polylist")) return 1;
     std::size_t triangles = 0;
     for (const std::int32_t count : integersOf(primitive.child("vcount")))
-        triangles += static_cast<std::size_t>(std::max(0, count - 2));
+        triangles += count > 2 ? static_cast<std::size_t>(count - 2) : 0;
     return std::max<std::size_t>(1, (triangles + kTrianglesPerFace - 1) / kTrianglesPerFace);
 }
 

@@ -128,7 +128,8 @@ XmlNode inputOf(XmlNode parent, std::string_view semantic) {
 }
 
 int offsetOf(XmlNode input) {
-    return std::max(0, integerAttribute(input, "offset", 0));
+    constexpr int kFarOut = 1 << 20;  // so that sums of offsets stay numbers; no list is that wide
+    return std::clamp(integerAttribute(input, "offset", 0), 0, kFarOut);
 }
 
 int indicesPerCorner(XmlNode primitive) {

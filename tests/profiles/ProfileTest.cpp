@@ -28,6 +28,23 @@ TEST(ProfileTest, targetsAreCalledByTheirNames) {
     for (const std::string_view name : profileNames()) EXPECT_TRUE(profileNamed(name)) << name;
 }
 
+// Whatever is wrong with a document, its rules can be asked.
+TEST(ProfileTest, damageDoesNoHarm) {
+    const Change damages[] = {
+        {"source=\"#body-normals\" offset=\"1\"", "source=\"#body-normals\" offset=\"2147483647\""},
+        {"<vcount>3 3</vcount>", "<vcount>3 -2147483648</vcount>"},
+        {"<vcount>1 1 2 1</vcount>", "<vcount>1 9 -5</vcount>"},
+        {"stride=\"3\"", "stride=\"0\""},
+        {"<matrix sid=\"transform\">1 0 0 0", "<matrix sid=\"transform\">1e200 1e300 NaN"},
+        {"<skin source=\"#body-mesh\">", "<skin source=\"#body-skin\">"},
+        {"mPelvis mTorso</Name_array>", "</Name_array>"},
+        {"target=\"mTorso/transform\"", "target=\"\""},
+        {"<float_array id=\"mPelvis-times-array\" count=\"2\">0 1</float_array>", ""}};
+    for (const Change& damage : damages)
+        for (const std::string_view name : profileNames())
+            EXPECT_NO_THROW(said(*profileNamed(name), changed({damage}))) << damage.to;
+}
+
 TEST(ProfileTest, codesFromAThousandOnHaveFourDigits) {
     EXPECT_STREQ(info(Code::GltfManyInfluences).id, "WC1001");
     EXPECT_STREQ(info(Code::IndexOutOfRange).id, "WC0301");
