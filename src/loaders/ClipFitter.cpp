@@ -1,6 +1,7 @@
 #include "loaders/ClipFitter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "loaders/KeyFrameFitter.h"
 
@@ -52,6 +53,9 @@ std::size_t alike(const JointMotion& motion, const std::vector<JointMotion>& oth
                : others.size();
 }
 
+// What moves wildly takes keys that the file does not have: so many, of all motions together, are its due.
+constexpr std::size_t kSpareKeys = 50'000;
+
 Animation emptyClip(std::string name, double start, double end) {
     Animation animation;
     animation.name = std::move(name);
@@ -75,10 +79,12 @@ Animation ClipFitter::whole(std::string name) {
     Animation animation = emptyClip(std::move(name), motion_.start(), motion_.end());
     constexpr int kTries = 4;
     for (int i = 0; i < kTries; ++i) {
-        keys_ = 0;
+        const std::uint64_t keysBefore = std::exchange(keys_, 0);
         fit(motion_, nullptr, animation);
         const double error = animation.achievedError;
         if (error <= context_.options.tolerance) return animation;
+        if (spare_ == 0 || keys_ < keysBefore + keysBefore / 8)
+            break;  // asking for more precision gives no more keys
         share_ *= std::clamp(0.7 * context_.options.tolerance / error, 0.05, 0.9);
     }
     context_.diagnostics.report(Code::ToleranceMissed, collada_,
@@ -96,10 +102,16 @@ Animation ClipFitter::clip(std::string name, double start, double end, const Mot
 void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& animation) {
     const double start = animation.startSeconds, end = animation.endSeconds;
     const std::size_t limit = context_.options.limits.maxKeyFrames;
+    spare_ = kSpareKeys;
+    const auto spend = [&](std::size_t keys, std::size_t knots) {
+        spare_ -= std::min(spare_, keys - std::min(keys, knots));
+        count(keys);
+    };
     bool isOfWhole = whole && motion.parameters.empty();  // every key has been measured already
     animation.channels.clear();
     animation.parameterTracks.clear();
-    if (whole) count(motion.joints.size());  // a clip's channels take as much memory as their few keys
+    if (whole)
+        count(8 * motion.joints.size());  // a clip's channels take memory of their own beside their keys
     for (const JointMotion& joint : motion.joints) {
         context_.checkCancelled(collada_);
         const std::size_t same = whole ? alike(joint, motion_.joints) : motion_.joints.size();
@@ -108,14 +120,15 @@ void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& an
             animation.channels.push_back(cut(whole->channels[same], start, end));
         else
             animation.channels.push_back(
-                fitChannel(joint, start, end, reach_.tolerance(joint.joint, share_), limit));
-        count(animation.channels.back().keyFrames.size() + animation.channels.back().matrixKeyFrames.size());
+                fitChannel(joint, start, end, reach_.tolerance(joint.joint, share_), limit, spare_));
+        const Channel& made = animation.channels.back();
+        spend(made.keyFrames.size() + made.matrixKeyFrames.size(), joint.knots(start, end, limit).size());
     }
     for (const ParameterMotion& moving : motion.parameters) {
         const Parameter& parameter = model_.parameters[static_cast<std::size_t>(moving.parameter)];
         const Tolerance tolerance = reach_.tolerance(parameter, model_, context_.options.tolerance);
-        animation.parameterTracks.push_back(fitTrack(moving, start, end, tolerance, limit));
-        count(animation.parameterTracks.back().keyFrames.size());
+        animation.parameterTracks.push_back(fitTrack(moving, start, end, tolerance, limit, spare_));
+        spend(animation.parameterTracks.back().keyFrames.size(), moving.knots(start, end, limit).size());
     }
     animation.achievedError =
         isOfWhole ? whole->achievedError : static_cast<float>(reach_.measure(model_, motion, animation));

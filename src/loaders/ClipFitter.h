@@ -30,6 +30,7 @@ private:
     MotionReach reach_;
     double share_;  // of the model's size: what each joint's budget is made from
     std::uint64_t keys_ = 0;
+    std::size_t spare_ = 0;  // keys that motions may still take beyond those of the file
 };
 
 }  // namespace walkcycle

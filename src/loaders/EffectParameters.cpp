@@ -10,19 +10,25 @@ XmlNode valueOf(XmlNode parameter) {
     return {};
 }
 
-XmlNode find(XmlNode scope, const char* elementName, const char* key, std::string_view sid) {
-    for (XmlNode parameter : scope.children(elementName))
-        if (parameter.attribute(key) == sid) return valueOf(parameter);
-    return {};
-}
-
 }  // namespace
+
+XmlNode ParameterScopes::value(XmlNode scope, std::string_view name) {
+    const auto [entry, isNew] = known_.try_emplace(scope);
+    if (isNew)
+        for (XmlNode parameter : scope.children()) {
+            if (parameter.is("newparam"))
+                entry->second.try_emplace(parameter.attribute("sid"), valueOf(parameter));
+            if (parameter.is("setparam"))
+                entry->second.try_emplace(parameter.attribute("ref"), valueOf(parameter));
+        }
+    const auto found = entry->second.find(name);
+    return found == entry->second.end() ? XmlNode() : found->second;
+}
 
 XmlNode EffectParameters::value(std::string_view sid) const {
     if (sid.empty()) return {};
-    if (const XmlNode set = find(instanceEffect_, "setparam", "ref", sid)) return set;
     for (const XmlNode scope : scopes_)
-        if (const XmlNode found = find(scope, "newparam", "sid", sid)) return found;
+        if (const XmlNode found = scope ? known_.value(scope, sid) : XmlNode()) return found;
     return {};
 }
 

@@ -84,7 +84,7 @@ bool EffectReader::read(XmlNode effect, XmlNode instanceEffect, Material& materi
     }
     material.shading = shader->model;
     const XmlNode values = technique.child(shader->name);
-    const EffectParameters parameters(effect, profile, technique, instanceEffect);
+    const EffectParameters parameters(effect, profile, technique, instanceEffect, scopes_);
     readOpaque(values.child("transparent"), material);
     for (const SlotName& slot : kSlots) readSlot(values, slot.name, slot.slot, parameters, material);
     readNumber(values, "shininess", parameters, material.shininess);

@@ -38,6 +38,7 @@ private:
     const LoadContext& context_;
     Model& model_;
     TextureReader textures_;
+    ParameterScopes scopes_;
     std::unordered_map<const ColladaDocument*, bool> hasDiffusePictures_;
 };
 

@@ -33,10 +33,20 @@ std::vector<Run> runsOf(const MotionOfOne& motion, const std::vector<double>& kn
     return runs;
 }
 
+constexpr double kMostDegrees = 60.0;
+
+// Whether a motion turns so fast that so many keys would be more than half a circle apart: then they say nothing, and
+// looking for better ones would take long and find none.
+bool isBeyondKeys(const JointMotion& motion, const std::vector<double>& knots, std::size_t limit) {
+    double wanted = 0.0;
+    for (std::size_t i = 1; i < knots.size(); ++i)
+        wanted += motion.degreesTurned(knots[i - 1], knots[i]) / kMostDegrees;
+    return !(wanted < 2.5 * static_cast<double>(limit));
+}
+
 // A turn of more than half a circle looks like a short one from its ends, so long turns are cut up beforehand.
 std::vector<double> withTurnsCut(const JointMotion& motion, const std::vector<double>& knots,
                                  std::size_t limit) {
-    constexpr double kMostDegrees = 60.0;
     std::vector<double> cut{knots.front()};
     for (std::size_t i = 1; i < knots.size(); ++i) {
         const double wanted = std::ceil(motion.degreesTurned(knots[i - 1], knots[i]) / kMostDegrees);
@@ -157,17 +167,19 @@ Channel fitMatrices(const JointMotion& motion, const std::vector<Run>& runs, con
 
 // How many keys a motion may get whose file has so many times: a turn of a thousand rounds between two keys must not
 // cost more than the file itself is worth. What is lost by that is measured and said (WC0513).
-std::size_t mostKeys(std::size_t knots, std::size_t limit) {
-    return std::min(limit, 4096 + 64 * knots);
+std::size_t mostKeys(std::size_t knots, std::size_t spare, std::size_t limit) {
+    return std::min(limit, 2 * knots + 32 + std::min(spare, 4096 + 64 * knots));
 }
 
 }  // namespace
 
 Channel fitChannel(const JointMotion& motion, double from, double to, const Tolerance& tolerance,
-                   std::size_t limit) {
+                   std::size_t limit, std::size_t spare) {
     const std::vector<double> times = motion.knots(from, to, limit);
-    limit = mostKeys(times.size(), limit);
-    const std::vector<double> knots = withTurnsCut(motion, times, limit);
+    limit = mostKeys(times.size(), spare, limit);
+    const bool isBeyond = isBeyondKeys(motion, times, limit);
+    const std::vector<double> knots = isBeyond ? times : withTurnsCut(motion, times, limit);
+    if (isBeyond) limit = times.size();
     const auto jumps = [&](double t) {
         return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),
                         tolerance) > 0.01 * tolerance.budget;
@@ -182,6 +194,8 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
     const std::size_t fewEnough = std::min(limit, byNumber ? knots.size() + 1 : 2 * knots.size() + 32);
     const bool enough =
         fitRuns<StraightTransform>(runs, exact, tolerance, motion.isStraight(), fewEnough, straight);
+    if (isBeyond && transform.fits()) return straight;
+    if (!enough && spare == 0 && transform.fits()) return straight;
     if (byNumber && !enough) return fitMatrices(motion, runs, tolerance, limit);
     if (transform.fits() && (!enough || straight.keyFrames.size() > knots.size())) {
         Channel curved{.joint = motion.joint};
@@ -193,13 +207,13 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
 }
 
 ParameterTrack fitTrack(const ParameterMotion& motion, double from, double to, const Tolerance& tolerance,
-                        std::size_t limit) {
+                        std::size_t limit, std::size_t spare) {
     const auto exact = [&](double seconds, Side side) { return motion.value(seconds, side); };
     const auto jumps = [&](double t) {
         return distance(exact(t, Side::Left), exact(t, Side::Right), tolerance) > 0.01 * tolerance.budget;
     };
     const std::vector<double> knots = motion.knots(from, to, limit);
-    limit = mostKeys(knots.size(), limit);
+    limit = mostKeys(knots.size(), spare, limit);
     const std::vector<Run> runs = runsOf(motion, knots, jumps);
     ParameterTrack straight{.parameter = motion.parameter};
     const std::size_t fewEnough = std::min(limit, 2 * knots.size() + 32);

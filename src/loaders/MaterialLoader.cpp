@@ -1,5 +1,7 @@
 #include "loaders/MaterialLoader.h"
 
+#include <optional>
+
 #include "loaders/EffectReader.h"
 #include "loaders/Tangents.h"
 #include "loaders/TexCoordBinding.h"
@@ -25,6 +27,7 @@ struct MaterialLoader::Impl {
     const LoadContext& context;
     Model& model;
     EffectReader effects;
+    std::unordered_map<XmlNode, std::optional<Material>> effectsRead;
     std::unordered_map<XmlNode, int> materials;  // <material> -> Model::materials; -1: cannot be shown
     std::unordered_map<const ColladaDocument*, NodesByName> materialsByName;
     std::unordered_multimap<XmlNode, int> elements;
@@ -49,10 +52,17 @@ int MaterialLoader::Impl::read(XmlNode material) {
                                    {std::string(material.id()), std::string(instance.attribute("url"))});
         return -1;
     }
-    Material result;
+    // Materials that set nothing of their own share what is read of their effect.
+    const bool isOwn = static_cast<bool>(instance.child("setparam"));
+    const auto [known, isNew] = effectsRead.try_emplace(isOwn ? XmlNode() : effect);
+    if (isNew || isOwn) {
+        known->second = Material();
+        if (!effects.read(effect, instance, *(known->second))) known->second.reset();
+    }
+    if (!known->second) return -1;
+    Material result = *known->second;
     result.id = material.id();
     result.name = material.attribute("name");
-    if (!effects.read(effect, instance, result)) return -1;
     const int index = static_cast<int>(model.materials.size());
     elements.emplace(material, index);
     elements.emplace(effect, index);
@@ -89,7 +99,7 @@ int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const Me
 }
 
 MaterialLoader::MaterialLoader(const LoadContext& context, Model& model)
-    : impl_(new Impl{context, model, {context, model}, {}, {}, {}}) {}
+    : impl_(new Impl{context, model, {context, model}, {}, {}, {}, {}}) {}
 MaterialLoader::~MaterialLoader() = default;
 
 std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData& mesh) {

@@ -104,7 +104,6 @@ void Builder::addPositions(const PrimitiveCorners& primitive) {
         if (position != kNoPosition) faces.cornerPositions[firstCorner + c] = base + position;
     }
     badPositions_.report(primitive, primitive.inputs.position, "VERTEX", context_.diagnostics);
-    faces.rings.reserve(faces.rings.size() + primitive.rings.size());
     for (const Ring& ring : primitive.rings)
         faces.rings.push_back({ring.firstCorner + firstCorner, ring.cornerCount, ring.hole});
     loaded_.cornerVertices.resize(faces.cornerPositions.size(), kNoVertex);
@@ -145,7 +144,6 @@ void Builder::addLines(const PrimitiveCorners& primitive) {
 
 void Builder::addFaces(const PrimitiveCorners& primitive) {
     const std::span<const Ring> rings(loaded_.faces.rings);
-    mesh_.indices.reserve(mesh_.indices.size() + primitive.cornerCount());
     for (std::size_t r = 0; r < primitive.rings.size();) {
         const std::size_t end = endOfFace(primitive.rings, r);
         const std::size_t first = r;
@@ -260,6 +258,12 @@ void Builder::finish() {
 void buildMesh(const PrimitiveInputs& vertices, const std::vector<PrimitiveCorners>& primitives,
                LoadedMesh& loaded, const LoadContext& context) {
     Builder builder(primitives, loaded, context);
+    // Once for all: a reserve() for each of many primitives would copy what there is each time.
+    std::size_t corners = 0, rings = 0;
+    for (const PrimitiveCorners& primitive : primitives)
+        corners += primitive.cornerCount(), rings += primitive.rings.size();
+    loaded.mesh.indices.reserve(corners);
+    loaded.faces.rings.reserve(rings);
     if (vertices.usable()) builder.positionBase(*vertices.position.source);
     for (const PrimitiveCorners& primitive : primitives) builder.addPositions(primitive);
     for (const PrimitiveCorners& primitive : primitives) builder.addPart(primitive);

@@ -119,9 +119,11 @@ std::optional<PictureFinder::File> PictureFinder::asWritten(XmlNode where, const
 
 // Each place where people who move files about leave their pictures.
 std::optional<PictureFinder::File> PictureFinder::guess(XmlNode where, const std::string& uri) {
+    // Each guess looks into a dozen folders; who has lost so many pictures has moved them all.
+    constexpr int kMostGuesses = 1000;
     const std::string path = parseUri(uri).path;
     const std::string name = baseName(path);
-    if (name.empty()) return {};
+    if (name.empty() || ++guesses_ > kMostGuesses) return {};
     if (std::optional<File> file = read(where, name)) return file;
     if (std::optional<File> file = read(where, baseName(uri)))
         return file;  // a per cent sign that is no escape

@@ -49,7 +49,8 @@ private:
     const LoadContext& context_;
     std::map<std::pair<std::string, std::string>, Picture> pictures_;  // by document and URI
     std::map<std::string, std::shared_ptr<const Image>> images_;       // by path
-    std::int64_t pixels_ = 0;                                          // of all pictures together
+    int guesses_ = 0;
+    std::int64_t pixels_ = 0;  // of all pictures together
 };
 
 }  // namespace walkcycle

@@ -75,8 +75,10 @@ std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& pat
     return readFile(path.string(), options_.limits.maxFileBytes);
 }
 
-std::vector<std::string> Surroundings::list(const fs::path& folder) const {
-    std::vector<std::string> names;
+const std::vector<std::string>& Surroundings::list(const fs::path& folder) {
+    const auto [entry, isNew] = listed_.try_emplace(folder.lexically_normal().string());
+    std::vector<std::string>& names = entry->second;
+    if (!isNew) return names;
     if (archive_) {
         names = namesIn(*archive_, folder);
     } else if (!options_.resolver && mayOpen(folder)) {

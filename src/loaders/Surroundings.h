@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "io/Archive.h"
@@ -26,8 +27,8 @@ public:
     // The bytes of a regular file; nothing where there is none or it may not be opened (reported at `from`).
     // Throws FileError or ArchiveError where it is there and cannot be read.
     std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path) const;
-    // Names of the files in a folder, sorted.
-    std::vector<std::string> list(const std::filesystem::path& folder) const;
+    // Names of the files in a folder, sorted. A folder is read once.
+    const std::vector<std::string>& list(const std::filesystem::path& folder);
 
 private:
     bool mayOpen(const std::filesystem::path& path) const;
@@ -35,6 +36,7 @@ private:
     const LoadOptions& options_;
     Diagnostics& diagnostics_;
     std::optional<Archive> archive_;
+    std::unordered_map<std::string, std::vector<std::string>> listed_;
     std::optional<std::filesystem::path>
         root_;  // canonical; none: a document in memory, with no files around it
 };

@@ -13,7 +13,7 @@ const TestLoad& anyDocument() {
     return load;
 }
 
-std::string read(const Surroundings& surroundings, const std::string& path) {
+std::string read(Surroundings& surroundings, const std::string& path) {
     const std::optional<Bytes> bytes = surroundings.read(anyDocument().collada.child("image"), path);
     return bytes ? std::string(bytes->begin(), bytes->end()) : "nothing";
 }
@@ -82,7 +82,7 @@ TEST(SurroundingsTest, aDocumentInMemoryHasNoFilesAroundIt) {
     const std::string path = folder.write("a.txt", "x");
     LoadOptions options;
     Diagnostics diagnostics;
-    const Surroundings surroundings(options, diagnostics);
+    Surroundings surroundings(options, diagnostics);
     EXPECT_EQ(read(surroundings, path), "nothing");
     EXPECT_THAT(surroundings.list(folder.path(".")), IsEmpty());
     EXPECT_THAT(diagnostics.all(), IsEmpty());
