@@ -6,6 +6,7 @@
 
 #include "io/TextEncoding.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/Markup.h"
 
 namespace walkcycle {
 namespace {
@@ -43,6 +44,10 @@ void refuseTricks(const std::string& text, const std::string& file, Diagnostics&
     if (control != text.end())
         diagnostics.report(Code::ControlCharacter, file,
                            lineAt(text, static_cast<std::size_t>(control - text.begin())), {});
+    constexpr std::size_t kMostAttributes = 1000;
+    if (const std::size_t crowded = findCrowdedTag(text, kMostAttributes); crowded != std::string::npos)
+        diagnostics.fail(Code::NotXml, file, lineAt(text, crowded),
+                         {"an element has more than " + std::to_string(kMostAttributes) + " attributes"});
     const std::size_t doctype = text.find("<!DOCTYPE");
     const std::size_t root = text.find("<COLLADA");
     if (doctype == std::string::npos || doctype > root) return;
@@ -90,6 +95,7 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
                          {"file size", std::to_string(bytes.size()), std::to_string(limits.maxFileBytes)});
     text_ = decode(std::move(bytes), file_, diagnostics);
     refuseTricks(text_, file_, diagnostics);
+    dropInstructions(text_);
     parse(diagnostics);
     root_ = XmlNode(xml_->RootElement(), this);
     if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
