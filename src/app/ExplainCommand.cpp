@@ -9,20 +9,20 @@
 namespace walkcycle {
 namespace {
 
-const char* word(Severity severity) {
-    return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "info";
-}
-
 std::string explanation(const CodeInfo& entry) {
-    return std::string(entry.id) + " " + entry.name + " (" + word(entry.severity) +
-           ")\n  says:  " + entry.text + "\n  means: " + entry.cause + "\n  cure:  " + entry.cure + "\n";
+    std::string text = std::string(entry.id) + " " + entry.name + " (" + nameOf(entry.severity) +
+                       ")\n  says:  " + entry.text + "\n  means: " + entry.cause +
+                       "\n  cure:  " + entry.cure + "\n";
+    if (!*entry.inBlender) return text;
+    return text + "    Blender: " + entry.inBlender + "\n    Maya:    " + entry.inMaya +
+           "\n    3ds Max: " + entry.in3dsMax + "\n";
 }
 
 int run(const std::string& wanted) {
     if (wanted.empty()) {
         std::string list;
         for (const CodeInfo& entry : diagnosticCatalogue())
-            list += std::string(entry.id) + "  " + word(entry.severity) + "  " + entry.text + "\n";
+            list += std::string(entry.id) + "  " + nameOf(entry.severity) + "  " + entry.text + "\n";
         printOut(list);
         return kFine;
     }

@@ -107,8 +107,4 @@ const char* nameOf(LightKind kind) {
     return "";
 }
 
-const char* nameOf(Severity severity) {
-    return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "info";
-}
-
 }  // namespace walkcycle

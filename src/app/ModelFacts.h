@@ -34,6 +34,5 @@ ModelFacts factsOf(const Model& model);
 const char* nameOf(UpAxis axis);
 const char* nameOf(ShadingModel shading);
 const char* nameOf(LightKind kind);
-const char* nameOf(Severity severity);
 
 }  // namespace walkcycle

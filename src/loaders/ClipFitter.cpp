@@ -87,7 +87,7 @@ Animation ClipFitter::whole(std::string name) {
             break;  // asking for more precision gives no more keys
         share_ *= std::clamp(0.7 * context_.options.tolerance / error, 0.05, 0.9);
     }
-    context_.diagnostics.report(Code::ToleranceMissed, collada_,
+    context_.diagnostics.report(Code::ToleranceMissed, collada_.child("library_animations"),
                                 {animation.name, std::to_string(animation.achievedError)});
     return animation;
 }

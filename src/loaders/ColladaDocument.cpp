@@ -16,12 +16,18 @@ int lineAt(std::string_view text, std::size_t offset) {
                    std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
+std::size_t firstBeyondAscii(std::string_view text) {
+    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
+    return static_cast<std::size_t>(std::find_if(text.begin(), text.end(), beyond) - text.begin());
+}
+
 std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
     if (bytes.empty()) diagnostics.fail(Code::NotXml, file, 1, {"the file is empty"});
     try {
         bool guessed = false, padded = false;
         std::string text = toUtf8(std::move(bytes), &guessed, &padded);
-        if (guessed) diagnostics.report(Code::EncodingGuessed, file, 1, {});
+        if (guessed)
+            diagnostics.report(Code::EncodingGuessed, file, lineAt(text, firstBeyondAscii(text)), {});
         if (padded) diagnostics.report(Code::ControlCharacter, file, lineAt(text, text.size()), {});
         return text;
     } catch (const EncodingError& error) {
@@ -143,7 +149,7 @@ void ColladaDocument::indexIds(Diagnostics& diagnostics, const LoadLimits& limit
     for (auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
         if (++elements > limits.maxElements)
             diagnostics.fail(
-                Code::LimitExceeded, file_, element->GetLineNum(),
+                Code::LimitExceeded, XmlNode(element, this),
                 {"number of elements", std::to_string(elements), std::to_string(limits.maxElements)});
         const char* id = element->Attribute("id");
         if (!id || !*id) continue;

@@ -6,6 +6,7 @@
 #include "loaders/AssetReader.h"
 #include "loaders/ControllerLoader.h"
 #include "loaders/Inspection.h"
+#include "loaders/KnownElements.h"
 #include "loaders/MaterialLoader.h"
 #include "loaders/SceneLoader.h"
 
@@ -81,6 +82,7 @@ void report(const LoadContext& context, double done) {
 void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     checkVersion(collada, context);
     checkNamespace(collada, context);
+    checkElements(collada, context.diagnostics);
     model.asset = readAsset(collada, context);
     if (context.options.convert)
         model.skeleton.rootTransform = glm::mat4(toMetresYUp(model.asset.metersPerUnit, model.asset.upAxis));

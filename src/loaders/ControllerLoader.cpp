@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "loaders/MorphLoader.h"
+#include "loaders/Spelling.h"
 
 namespace walkcycle {
 namespace {
@@ -87,8 +88,12 @@ int ControllerLoader::morph(XmlNode controller, XmlNode geometry) {
     const XmlNode element = controller.child("morph");
     MorphTargets result;
     result.id = controller.id();
-    result.method =
-        element.attribute("method") == "RELATIVE" ? MorphMethod::Relative : MorphMethod::Normalized;
+    const std::string_view method = element.attribute("method");
+    result.method = method == "RELATIVE" ? MorphMethod::Relative : MorphMethod::Normalized;
+    if (!method.empty() && method != "RELATIVE" && method != "NORMALIZED")
+        context_.diagnostics.report(
+            Code::WordUnknown, element,
+            {std::string(method), "morph", didYouMean(method, "RELATIVE NORMALIZED")});
     result.firstParameter = static_cast<int>(model_.parameters.size());
     std::vector<float> weights;
     readTargets(element, geometry, result, weights);
@@ -127,16 +132,29 @@ void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets
             Code::MorphTargetsMismatch, targets ? targets : morph,
             {std::to_string(count), std::to_string(weights.size()), std::to_string(count)});
     weights.resize(count);
+    if (names) addTargets(*names, geometry, result);
+}
+
+void ControllerLoader::addTargets(const NameSource& names, XmlNode geometry, MorphTargets& result) {
+    static const LoadedMesh kNothing;  // a target that is not there moves nothing
     const LoadedMesh& base = meshes_.load(geometry);
-    for (std::size_t t = 0; t < count; ++t) {
-        const std::string& name = names->values[t];
-        const XmlNode target = targetGeometry(context_.documents.resolve(names->element, "#" + name));
-        if (!target) context_.diagnostics.report(Code::UnresolvedReference, names->element, {"source", name});
-        morphedPositions_ += base.mesh.positions.size();
+    const std::size_t wanted = base.mesh.positions.size();
+    int missing = 0;
+    for (std::size_t t = 0; t < names.values.size(); ++t) {
+        const std::string& name = names.values[t];
+        const XmlNode target = targetGeometry(context_.documents.resolve(names.element, "#" + name));
+        if (!target)
+            context_.diagnostics.report(Code::UnresolvedReference, names.array,
+                                        {std::string(names.array.name()), name},
+                                        ++missing <= kMostLinesLookedFor ? names.lineOf(t) : 0);
+        morphedPositions_ += wanted;
         context_.require(morphedPositions_, context_.options.limits.maxVertices,
-                         "number of morphed positions", morph);
-        static const LoadedMesh kNothing;  // a target that is not there moves nothing
+                         "number of morphed positions", names.array);
         const LoadedMesh& shape = target ? meshes_.load(target) : kNothing;
+        if (target && shape.mesh.positions.size() < wanted)
+            context_.diagnostics.report(Code::MorphTargetShort, target,
+                                        {name, std::to_string(shape.mesh.positions.size()),
+                                         std::string(geometry.id()), std::to_string(wanted)});
         result.targets.push_back(makeMorphTarget(base, shape, result.method, name));
     }
 }

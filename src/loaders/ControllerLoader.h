@@ -29,6 +29,7 @@ private:
     XmlNode followToGeometry(XmlNode from, XmlNode controller, std::vector<XmlNode>& chain);
     int morph(XmlNode controller, XmlNode geometry);
     void readTargets(XmlNode morph, XmlNode geometry, MorphTargets& result, std::vector<float>& weights);
+    void addTargets(const NameSource& names, XmlNode geometry, MorphTargets& result);
     XmlNode targetGeometry(XmlNode element);
     bool skin(XmlNode controller, XmlNode geometry, const SceneGraph::Instance& source, Deformer& deformer);
 

@@ -9,11 +9,11 @@ namespace {
 
 #define WC_STRING_(text) #text
 constexpr CodeInfo kCatalogue[] = {
-#define WC_CODE(number, name, severity, text, cause, cure)                             \
+#define WC_CODE(number, name, severity, text, cause, ...)                              \
     {Code::name, (number) < 1000 ? "WC0" WC_STRING_(number) : "WC" WC_STRING_(number), \
      #name,      Severity::severity,                                                   \
      text,       cause,                                                                \
-     cure},
+     __VA_ARGS__},
 #include "loaders/DiagnosticCodes.inc"
 #undef WC_CODE
 };
@@ -21,6 +21,8 @@ constexpr CodeInfo kCatalogue[] = {
 
 // How many of one kind, about elements of one name, are kept before the rest is only counted.
 constexpr int kKeptPerKind = 3;
+// So many of one code, whatever the elements are called, are a picture of the whole.
+constexpr int kKeptPerCode = 12;
 // After so many, all elements count as being of one name.
 constexpr std::size_t kKeptOfAllKinds = 1000;
 constexpr std::size_t kLongestArgument = 200;
@@ -76,12 +78,14 @@ LoadError::LoadError(std::vector<Diagnostic> all)
       diagnostics(std::move(all)) {}
 
 void Diagnostics::add(Diagnostic diagnostic, std::string elementName) {
-    if (all_.size() >= kKeptOfAllKinds) elementName.clear();
+    int& kept = keptOfCode_[{diagnostic.file, diagnostic.code}];
+    if (all_.size() >= kKeptOfAllKinds || kept >= kKeptPerCode) elementName.clear();
     auto& [count, lastIndex] = seen_[{diagnostic.file, diagnostic.code, elementName}];
     if (++count > kKeptPerKind) {
         ++all_[lastIndex].repeats;
         return;
     }
+    ++kept;
     lastIndex = all_.size();
     all_.push_back(std::move(diagnostic));
 }

@@ -20,7 +20,7 @@ std::string printable(std::string_view text);
 
 // What is wrong, by name. The texts are in DiagnosticCodes.inc, the catalogue.
 enum class Code {
-#define WC_CODE(number, name, severity, text, cause, cure) name,
+#define WC_CODE(number, name, severity, text, cause, ...) name,
 #include "loaders/DiagnosticCodes.inc"
 #undef WC_CODE
 };
@@ -33,6 +33,10 @@ struct CodeInfo {
     const char* text;  // with {0}, {1}, ...
     const char* cause;
     const char* cure;
+    // Where to click for it; empty where no author can do it there.
+    const char* inBlender = "";
+    const char* inMaya = "";
+    const char* in3dsMax = "";
 };
 
 std::span<const CodeInfo> diagnosticCatalogue();
@@ -44,6 +48,10 @@ struct LoadError : std::runtime_error {
     explicit LoadError(std::vector<Diagnostic> all);
     std::vector<Diagnostic> diagnostics;
 };
+
+// A loader that meets one fault again and again finds the exact line of the first few only: that takes a walk through
+// the text, and the rest is but counted.
+inline constexpr int kMostLinesLookedFor = 3;
 
 // Collects what is said about one load. A kind of message is kept a few times per element name and after that only counted.
 class Diagnostics {
@@ -70,7 +78,8 @@ private:
 
     std::vector<Diagnostic> all_;
     std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>>
-        seen_;  // file, code, element
+        seen_;                                                       // file, code, element
+    std::map<std::pair<std::string, std::string>, int> keptOfCode_;  // file, code
 };
 
 }  // namespace walkcycle

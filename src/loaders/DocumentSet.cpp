@@ -4,6 +4,7 @@
 #include "io/Uri.h"
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/KnownElements.h"
 #include "loaders/Surroundings.h"
 
 namespace walkcycle {
@@ -20,6 +21,12 @@ struct DocumentSet::Impl {
         auto document =
             std::make_shared<ColladaDocument>(std::move(bytes), file, options.limits, diagnostics);
         return *(documents[fs::path(file).lexically_normal().string()] = std::move(document));
+    }
+
+    const ColladaDocument& addOther(Bytes bytes, const fs::path& path) {
+        const ColladaDocument& document = add(std::move(bytes), path.string());
+        checkElements(document.root(), diagnostics);
+        return document;
     }
 
     const ColladaDocument& addRoot(Bytes bytes, const std::string& file) {
@@ -48,7 +55,7 @@ struct DocumentSet::Impl {
         const fs::path actual = path.parent_path() / name;
         if (!documents[actual.string()]) {
             if (std::optional<Bytes> bytes = surroundings.read(from, actual))
-                add(std::move(*bytes), actual.string());
+                addOther(std::move(*bytes), actual);
         }
         return (documents[path.string()] = documents[actual.string()]).get();
     }
@@ -72,7 +79,7 @@ struct DocumentSet::Impl {
         std::string reason = "there is no such file";
         try {
             if (std::optional<Bytes> bytes = surroundings.read(from, path))
-                return &add(std::move(*bytes), path.string());
+                return &addOther(std::move(*bytes), path);
             if (const ColladaDocument* document = inAnyCase(from, path)) return document;
         } catch (
             const LoadError& error) {  // what is wrong in it has been reported with its own file and line

@@ -7,6 +7,7 @@
 #include "loaders/BumpMap.h"
 #include "loaders/ExporterQuirks.h"
 #include "loaders/NumberParser.h"
+#include "loaders/Spelling.h"
 
 namespace walkcycle {
 namespace {
@@ -78,7 +79,7 @@ bool EffectReader::read(XmlNode effect, XmlNode instanceEffect, Material& materi
                                      [&](const Shader& known) { return bool(technique.child(known.name)); });
     if (shader == kShaders.end()) {
         context_.diagnostics.report(
-            Code::EffectUnusable, profile,
+            Code::EffectUnusable, technique ? technique : profile,
             {std::string(effect.id()), "has no <constant>, <lambert>, <phong> or <blinn>"});
         return false;
     }
@@ -222,12 +223,14 @@ void EffectReader::readOpaque(XmlNode transparent, Material& material) {
     if (word == "A_ZERO") material.opaque = OpaqueMode::AZero;
     if (word == "RGB_ONE") material.opaque = OpaqueMode::RgbOne;
     if (!word.empty() && word != "A_ONE" && material.opaque == OpaqueMode::AOne)
-        context_.diagnostics.report(Code::WordUnknown, transparent, {std::string(word), "transparent"});
+        context_.diagnostics.report(
+            Code::WordUnknown, transparent,
+            {std::string(word), "transparent", didYouMean(word, "A_ONE A_ZERO RGB_ONE RGB_ZERO")});
 }
 
 void EffectReader::settleTransparency(XmlNode shader, XmlNode effect, Material& material) {
-    if (shader.child("transparency"))
-        correctTransparency(model_.asset, effect, context_.diagnostics, material);
+    if (const XmlNode transparency = shader.child("transparency"))
+        correctTransparency(model_.asset, transparency, effect.id(), context_.diagnostics, material);
     const ColorOrTexture& transparent = material.slot(Slot::Transparent);
     material.transparent = opacity(material, transparent.color) < 1.0f;
     const Image* image = imageOf(material, Slot::Transparent);

@@ -1,6 +1,9 @@
 #include "loaders/ExporterQuirks.h"
 
+#include <algorithm>
 #include <charconv>
+
+#include "loaders/NumberParser.h"
 
 namespace walkcycle {
 namespace {
@@ -10,11 +13,12 @@ bool isOldSketchUp(std::string_view tool) {
     constexpr std::string_view kName = "Google SketchUp ";
     const std::size_t at = tool.find(kName);
     if (at == std::string_view::npos) return false;
-    int major = 0, minor = 0;
-    const char* end = tool.data() + tool.size();
-    const auto [next, error] = std::from_chars(tool.data() + at + kName.size(), end, major);
-    if (error != std::errc()) return false;
-    if (next != end && *next == '.') std::from_chars(next + 1, end, minor);
+    const std::string_view version = tool.substr(at + kName.size());
+    const std::size_t dot = std::min(version.find('.'), version.size());
+    const std::string_view rest = version.substr(std::min(dot + 1, version.size()));
+    std::int32_t major = 0, minor = 0;
+    if (!parseNumber(version.substr(0, dot), major)) return false;
+    if (!parseNumber(rest.substr(0, rest.find('.')), minor)) minor = 0;
     return major < 7 || (major == 7 && minor < 1);
 }
 
@@ -26,7 +30,8 @@ std::string shortText(float number) {
 
 }  // namespace
 
-void correctTransparency(const Asset& asset, XmlNode effect, Diagnostics& diagnostics, Material& material) {
+void correctTransparency(const Asset& asset, XmlNode transparency, std::string_view effect,
+                         Diagnostics& diagnostics, Material& material) {
     if (material.opaque != OpaqueMode::AOne) return;
     const float written = material.transparency;
     const char* reason = "nothing would be seen of it otherwise";
@@ -36,9 +41,8 @@ void correctTransparency(const Asset& asset, XmlNode effect, Diagnostics& diagno
     }
     if (material.transparency <= 0.0f) material.transparency = 1.0f;
     if (material.transparency == written) return;
-    diagnostics.report(
-        Code::TransparencyInverted, effect,
-        {std::string(effect.id()), shortText(written), shortText(material.transparency), reason});
+    diagnostics.report(Code::TransparencyInverted, transparency,
+                       {std::string(effect), shortText(written), shortText(material.transparency), reason});
 }
 
 }  // namespace walkcycle

@@ -12,6 +12,7 @@ namespace walkcycle {
 //    be seen at all, so 0 with A_ONE is taken as 1.
 // All else is as the format says: alpha 0 with A_ONE, or white with RGB_ZERO, is invisible (the conformance suite asks
 // for it).
-void correctTransparency(const Asset& asset, XmlNode effect, Diagnostics& diagnostics, Material& material);
+void correctTransparency(const Asset& asset, XmlNode transparency, std::string_view effect,
+                         Diagnostics& diagnostics, Material& material);
 
 }  // namespace walkcycle

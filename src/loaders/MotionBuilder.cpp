@@ -78,6 +78,8 @@ void MotionBuilder::bindNode(XmlNode channel, const ChannelTarget& target, int c
             return context_.diagnostics.report(
                 Code::TargetWidthMismatch, channel,
                 {text, std::to_string(part->count), std::to_string(curveWidth)});
+        if (part->count == 1 && curveWidth != 1 && curveWidth != width)
+            reportFirstTaken(channel, curveWidth, 1);
         CurveBinding binding;
         binding.component = part->count == 1 && curveWidth == width ? part->first : 0;
         binding.element = static_cast<std::size_t>(element - elements.begin());
@@ -126,13 +128,21 @@ void MotionBuilder::bindParameters(XmlNode channel, const ChannelTarget& target,
             return context_.diagnostics.report(
                 Code::TargetMemberUnknown, channel,
                 {text, std::string((target.element ? target.element : target.root).name())});
+        const bool isWhole = part->count == 1 && curveWidth == numbers.size();
+        if (!isWhole && curveWidth > part->count) reportFirstTaken(channel, curveWidth, part->count);
         for (std::size_t i = 0; i < std::min(part->count, curveWidth); ++i) {
             ParameterMotion::Binding binding;
-            binding.component = part->count == 1 && curveWidth == numbers.size() ? part->first : i;
+            binding.component = isWhole ? part->first : i;
             binding.channel = channelCount() - 1;
             parameterBindings_.push_back({numbers[part->first + i], curve, binding});
         }
     }
+}
+
+// A sampler gives more numbers than its target takes, and nothing says which are meant.
+void MotionBuilder::reportFirstTaken(XmlNode channel, std::size_t given, std::size_t taken) {
+    context_.diagnostics.report(Code::SourceWidth, channel,
+                                {"OUTPUT", std::to_string(given), std::to_string(taken)});
 }
 
 std::shared_ptr<Motion> MotionBuilder::finish(const std::function<bool(int, int)>& together) {

@@ -37,6 +37,7 @@ private:
     void bindNode(XmlNode channel, const ChannelTarget& target, int curve);
     void bindInOwnSpace(XmlNode channel, const TransformElement& element, int joint, int curve,
                         const CurveBinding& binding);
+    void reportFirstTaken(XmlNode channel, std::size_t given, std::size_t taken);
     void bindParameters(XmlNode channel, const ChannelTarget& target, int curve);
     void addJoints(Motion& motion, const std::function<bool(int, int)>& together);
     void addParameters(Motion& motion);

@@ -61,6 +61,28 @@ void parseList(std::string_view text, std::vector<T>& values, std::vector<Number
     }
 }
 
+constexpr int kTokensAround = 3;
+constexpr std::size_t kLongestToken = 20;
+
+std::string shortened(std::string_view token) {
+    return token.size() > kLongestToken ? std::string(token.substr(0, kLongestToken)) + "..."
+                                        : std::string(token);
+}
+
+// The last or first token of a text; empty where there is none.
+std::string_view lastToken(std::string_view text) {
+    text = trim(text);
+    std::size_t start = text.size();
+    while (start > 0 && !isSpace(text[start - 1])) --start;
+    return text.substr(start);
+}
+std::string_view firstToken(std::string_view text) {
+    text = trim(text);
+    std::size_t end = 0;
+    while (end < text.size() && !isSpace(text[end])) ++end;
+    return text.substr(0, end);
+}
+
 template <typename T>
 bool parseOne(std::string_view text, T& value) {
     text = trim(text);
@@ -78,6 +100,26 @@ void parseNumbers(std::string_view text, std::vector<double>& values, std::vecto
 void parseNumbers(std::string_view text, std::vector<std::int32_t>& values,
                   std::vector<NumberFault>& faults) {
     parseList(text, values, faults);
+}
+
+std::string surroundings(std::string_view text, const NumberFault& fault) {
+    std::string around = shortened(fault.token);
+    std::string_view before = text.substr(0, fault.offset);
+    std::string_view after = text.substr(fault.offset + fault.token.size());
+    if (trim(before).empty() && trim(after).empty()) return {};
+    for (int i = 0; i < kTokensAround; ++i) {
+        if (const std::string_view token = lastToken(before); !token.empty()) {
+            around = shortened(token) + " " + around;
+            before = before.substr(0, static_cast<std::size_t>(token.data() - before.data()));
+        }
+        if (const std::string_view token = firstToken(after); !token.empty()) {
+            around += " " + shortened(token);
+            after.remove_prefix(static_cast<std::size_t>(token.data() - after.data()) + token.size());
+        }
+    }
+    if (!trim(before).empty()) around = "... " + around;
+    if (!trim(after).empty()) around += " ...";
+    return around;
 }
 
 bool parseNumber(std::string_view text, double& value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,10 @@ void parseNumbers(std::string_view text, std::vector<float>& values, std::vector
 void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults);
 void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std::vector<NumberFault>& faults);
 inline constexpr std::size_t kMaxFaults = 16;
+
+// A faulty token with the few before and after it, so that it can be found in a long line: "... 0 1 1,5 3 4 ...".
+// Empty where it stands alone.
+std::string surroundings(std::string_view text, const NumberFault& fault);
 
 // One number and nothing else but white space around it. False where it is not one (or not finite).
 bool parseNumber(std::string_view text, double& value);

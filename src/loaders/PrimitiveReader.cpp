@@ -28,15 +28,6 @@ const KindName* kindOf(XmlNode element) {
     return found == kKinds.end() ? nullptr : &*found;
 }
 
-// The line in which the n-th number of an element's text stands.
-int lineOfNumber(XmlNode element, std::size_t n) {
-    std::string joined;
-    const std::string_view text = element.rawText(joined);
-    const std::vector<std::string_view> words = splitWords(text);
-    if (n >= words.size()) return element.line();
-    return element.textLine(static_cast<std::size_t>(words[n].data() - text.data()));
-}
-
 // Of a fan or a strip, which the reader cuts: which corner of its <p> the n-th of the cut-off triangles' or lines' was.
 std::size_t cornerBeforeCut(Kind kind, std::size_t corner) {
     const std::size_t size = kind == Kind::Linestrips ? 2 : 3;
@@ -58,7 +49,7 @@ CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::siz
         std::string joined;
         const std::size_t held = splitWords(p.rawText(joined)).size() / stride;
         const std::size_t cut = held < size ? 0 : (held - size + 1) * size;
-        if (corner < cut) return {p, lineOfNumber(p, cornerBeforeCut(kind, corner) * stride + offset)};
+        if (corner < cut) return {p, p.lineOfWord(cornerBeforeCut(kind, corner) * stride + offset)};
         corner -= cut;
     }
     return {primitive.element, primitive.element.line()};
@@ -113,7 +104,7 @@ private:
             context_.diagnostics.report(
                 Code::IncompleteFace, p,
                 {std::string(p.name()), std::to_string(numbers), std::to_string(group)},
-                lineOfNumber(p, numbers - 1));
+                p.lineOfWord(numbers - 1));
         const std::size_t corners = numbers / group * cornersPerGroup;
         out_.indices.resize(before + corners * stride());
         return corners;
@@ -271,7 +262,7 @@ CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, st
     const auto lookIn = [&](XmlNode p) {
         std::string joined;
         const std::size_t numbers = splitWords(p.rawText(joined)).size();
-        if (number < numbers) place = {p, lineOfNumber(p, number)};
+        if (number < numbers) place = {p, p.lineOfWord(number)};
         const bool found = number < numbers;
         number -= std::min(number, numbers);
         return found;

@@ -10,6 +10,9 @@ namespace walkcycle {
 
 namespace {
 
+constexpr std::string_view kSemantics =
+    "INPUT OUTPUT INTERPOLATION IN_TANGENT OUT_TANGENT LINEAR_STEPS CONTINUITY";
+
 std::optional<Interpolation> interpolationNamed(std::string_view name) {
     static constexpr std::pair<std::string_view, Interpolation> kNames[] = {
         {"LINEAR", Interpolation::Linear},     {"STEP", Interpolation::Step},
@@ -54,6 +57,16 @@ std::size_t widthOf(const DoubleSource& source, std::size_t keyCount) {
     const std::size_t perKey = keyCount ? source.values.size() / keyCount : 0;
     const bool forgotten = source.width == 1 && keyCount && source.values.size() % keyCount == 0;
     return forgotten && (perKey == 3 || perKey == 4 || perKey == 16) ? perKey : source.width;
+}
+
+// Of wider times the first number counts; a stride that was forgotten is made up for.
+void checkWidths(const DoubleSource& times, const DoubleSource& values, std::size_t width,
+                 Diagnostics& diagnostics) {
+    if (times.width != 1)
+        diagnostics.report(Code::SourceWidth, times.element, {"INPUT", std::to_string(times.width), "1"});
+    if (width != values.width)
+        diagnostics.report(Severity::Info, Code::SourceWidth, values.element,
+                           {"OUTPUT", std::to_string(values.width), std::to_string(width)});
 }
 
 // Keeps the keys that `order` names, in that order.
@@ -112,6 +125,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
         if (semantic == "INTERPOLATION") interpolation = ownSource(i);
         if (semantic == "IN_TANGENT") inTangent = ownSource(i);
         if (semantic == "OUT_TANGENT") outTangent = ownSource(i);
+        checkSemantic(i, kSemantics, context_.diagnostics);
     }
     for (int i = 0; i < 2; ++i)
         if (!named[i])
@@ -126,6 +140,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
         return false;
     }
     keys.width = widthOf(*values, times->count());
+    checkWidths(*times, *values, keys.width, context_.diagnostics);
     const std::size_t valueCount = values->values.size() / keys.width;
     if (times->count() != valueCount)
         context_.diagnostics.report(
@@ -137,7 +152,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
                        values->values.begin() + static_cast<std::ptrdiff_t>(count * keys.width));
     readInterpolations(sampler, interpolation, keys);
     readTangents(sampler, inTangent, outTangent, keys);
-    mendTimes(sampler, keys);
+    mendTimes(sampler, *times, keys);
     return true;
 }
 
@@ -149,15 +164,16 @@ void SamplerReader::readInterpolations(XmlNode sampler, XmlNode source, CurveKey
         context_.diagnostics.report(Code::InterpolationMissing, sampler, {samplerName(sampler)});
         return;
     }
-    std::string unknown;
+    std::optional<std::size_t> unknown;
     for (std::size_t i = 0; i < std::min(names->count(), keys.times.size()); ++i) {
         if (const auto interpolation = interpolationNamed((*names)[i][0]))
             keys.interpolations[i] = *interpolation;
-        else if (unknown.empty())
-            unknown = (*names)[i][0];
+        else if (!unknown)
+            unknown = i;
     }
-    if (!unknown.empty())
-        context_.diagnostics.report(Code::InterpolationUnknown, sampler, {unknown, samplerName(sampler)});
+    if (unknown)
+        context_.diagnostics.report(Code::InterpolationUnknown, names->array,
+                                    {(*names)[*unknown][0], samplerName(sampler)}, names->lineOf(*unknown));
     // Each key but the last starts a segment.
     if (names->count() + 1 < keys.times.size())
         context_.diagnostics.report(Code::InterpolationMissing, sampler, {samplerName(sampler)});
@@ -183,19 +199,22 @@ void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outS
 
 // Times must rise; two keys at one time are a jump. Others are put in order; where that brings together keys that did
 // not stand together, the first of them counts.
-void SamplerReader::mendTimes(XmlNode sampler, CurveKeys& keys) {
+void SamplerReader::mendTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
     const std::size_t count = keys.times.size();
     bool sorted = true, crowded = false;
+    std::size_t firstOdd = 0;
     for (std::size_t i = 1; i < count; ++i) {
         sorted = sorted && keys.times[i - 1] <= keys.times[i];
         crowded = crowded || (i > 1 && keys.times[i - 2] == keys.times[i]);
+        if (firstOdd == 0 && (!sorted || crowded)) firstOdd = i;
     }
     const bool allSame = count > 1 && sorted && keys.times.front() == keys.times.back();
     if (sorted && !crowded && !allSame) return;
-    context_.diagnostics.report(Code::KeyTimesInvalid, sampler,
+    context_.diagnostics.report(Code::KeyTimesInvalid, source.array,
                                 {samplerName(sampler), allSame   ? "are all the same"
                                                        : !sorted ? "do not rise"
-                                                                 : "name one time more than twice"});
+                                                                 : "name one time more than twice"},
+                                source.lineOf(firstOdd));
     std::vector<std::size_t> order(count), kept;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),

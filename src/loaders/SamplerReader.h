@@ -23,7 +23,7 @@ private:
     bool readKeys(XmlNode sampler, CurveKeys& keys);
     void readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys);
     void readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys);
-    void mendTimes(XmlNode sampler, CurveKeys& keys);
+    void mendTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys);
 
     const LoadContext& context_;
     std::unordered_map<XmlNode, int> read_;

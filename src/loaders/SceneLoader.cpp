@@ -1,5 +1,7 @@
 #include "loaders/SceneLoader.h"
 
+#include <algorithm>
+
 #include "loaders/NumberParser.h"
 
 namespace walkcycle {
@@ -28,6 +30,11 @@ void read(XmlNode node, const LoadContext& context, T& value) {
     if (const auto parsed = number(node, context)) value = static_cast<T>(*parsed);
 }
 
+// The first that is there, of elements from the inside out.
+XmlNode innermost(std::initializer_list<XmlNode> elements) {
+    return *std::find_if(elements.begin(), elements.end() - 1, [](XmlNode element) { return bool(element); });
+}
+
 SceneCamera readCamera(XmlNode camera, const LoadContext& context) {
     SceneCamera result;
     result.id = camera.id();
@@ -45,7 +52,9 @@ SceneCamera readCamera(XmlNode camera, const LoadContext& context) {
     read(optics.child("zfar"), context, result.zfar);
     const bool complete = result.orthographic ? result.xmag || result.ymag : result.xfov || result.yfov;
     if (!complete) {
-        context.diagnostics.report(Code::OpticsMissing, camera, {result.id, "45 degrees"});
+        context.diagnostics.report(Code::OpticsMissing,
+                                   innermost({optics, common, camera.child("optics"), camera}),
+                                   {result.id, "45 degrees"});
         result.orthographic = false;
         result.yfov = 45.0;
     }
@@ -73,7 +82,8 @@ std::optional<SceneLight> readLight(XmlNode light, const LoadContext& context) {
     result.name = light.attribute("name");
     XmlNode element;
     if (!readKind(light.child("technique_common"), result.kind, element)) {
-        context.diagnostics.report(Code::LightKindUnknown, light, {result.id});
+        context.diagnostics.report(Code::LightKindUnknown,
+                                   innermost({light.child("technique_common"), light}), {result.id});
         return std::nullopt;
     }
     if (const XmlNode color = element.child("color")) {
@@ -116,7 +126,7 @@ XmlNode findVisualScene(XmlNode collada, const LoadContext& context) {
         if (!instance) context.diagnostics.report(Code::SceneGuessed, collada, {std::string(first.id())});
         return first;
     }
-    context.diagnostics.fail(Code::NoScene, collada, {});
+    context.diagnostics.fail(Code::NoScene, innermost({instance, collada.child("scene"), collada}), {});
 }
 
 void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& model,

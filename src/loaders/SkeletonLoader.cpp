@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "loaders/AssetReader.h"
+#include "loaders/Spelling.h"
 
 namespace walkcycle {
 
@@ -58,7 +59,11 @@ int SkeletonLoader::addJoint(const Visit& visit, bool drawn) {
     joint.id = node.id();
     joint.sid = node.sid();
     joint.parent = visit.parent;
-    joint.isJoint = node.attribute("type") == "JOINT";
+    const std::string_view type = node.attribute("type");
+    joint.isJoint = type == "JOINT";
+    if (!type.empty() && type != "JOINT" && type != "NODE")
+        context_.diagnostics.report(Code::WordUnknown, node,
+                                    {std::string(type), "node", didYouMean(type, "JOINT NODE")});
     joint.localBindTransform = glm::mat4(outer * stack.toMatrix());
     if (!reachesWorld(joint)) {
         context_.diagnostics.report(Code::TransformOverflow, node, {std::string(node.id())});

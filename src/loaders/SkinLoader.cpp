@@ -1,6 +1,7 @@
 #include "loaders/SkinLoader.h"
 
 #include <cmath>
+#include <optional>
 #include <unordered_set>
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -53,22 +54,30 @@ void readInverseBindMatrices(const Input& input, const LoadContext& context, Ski
             {"source of INV_BIND_MATRIX", "16", "values an entry", std::to_string(source->width)});
         return;
     }
-    bool singular = false;
+    std::optional<std::size_t> singular;
     for (std::size_t i = 0; i < source->count(); ++i) {
         data.inverseBindMatrices.push_back(affineFromRows((*source)[i]));
-        singular |= isSingular(data.inverseBindMatrices.back());
+        if (!singular && isSingular(data.inverseBindMatrices.back())) singular = i;
     }
     if (singular)
-        context.diagnostics.report(Code::SingularBindMatrix, source->element, {"inverse bind matrix"});
+        context.diagnostics.report(Code::SingularBindMatrix, source->array, {"inverse bind matrix"},
+                                   source->lineOf(*singular));
 }
 
 void readJointNames(const Input& input, const LoadContext& context, SkinData& data) {
     const auto names = input.source ? context.sources.names(input.source, data.namesAreIds) : nullptr;
-    if (names) data.jointNames = names->values;
+    if (!names) return;
+    if (names->width != 1)
+        context.diagnostics.report(Code::SourceWidth, input.element,
+                                   {input.semantic, std::to_string(names->width), "1"});
+    data.jointNames = names->values;
+    data.nameSource = names;
     std::unordered_set<std::string_view> seen;
-    for (const std::string& name : data.jointNames)
-        if (!seen.insert(name).second)
-            context.diagnostics.report(Code::DuplicateJoint, input.element, {name});
+    int repeated = 0;  // only the first few are looked for in the text
+    for (std::size_t i = 0; i < data.jointNames.size(); ++i)
+        if (!seen.insert(data.jointNames[i]).second)
+            context.diagnostics.report(Code::DuplicateJoint, names->array, {data.jointNames[i]},
+                                       ++repeated <= kMostLinesLookedFor ? names->lineOf(i) : 0);
 }
 
 // <vertex_weights> counts through the list of joints that it names, which should be that of <joints>.
@@ -137,13 +146,14 @@ Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointF
     Skin skin;
     skin.bindShapeMatrix = data.bindShapeMatrix;
     const std::vector<int> roots = joints.skeletonRoots(instance.element);
-    int shared = instance.node;
+    int shared = instance.node, missing = 0;
     for (std::size_t i = 0; i < data.jointNames.size(); ++i) {
         const std::string& name = data.jointNames[i];
         int joint = joints.find(name, data.namesAreIds, roots, instance.node, data.skin);
         const bool found = joint != kNoParent;
         if (!found) {
-            context.diagnostics.report(Code::JointNotFound, data.skin, {name});
+            context.diagnostics.report(Code::JointNotFound, data.nameSource->array, {name},
+                                       ++missing <= kMostLinesLookedFor ? data.nameSource->lineOf(i) : 0);
             joint = instance.node;  // what hangs on it stays with the skin's node, as if it had no weight
         } else {
             shared = joints.nearestCommonAncestor(shared, joint);

@@ -11,6 +11,7 @@ namespace walkcycle {
 struct SkinData {
     XmlNode skin;
     std::vector<std::string> jointNames;
+    std::shared_ptr<const NameSource> nameSource;  // where they stand; for messages
     bool namesAreIds = false;
     std::vector<glm::mat4> inverseBindMatrices;  // empty where the file has none
     glm::mat4 bindShapeMatrix{1.0f};

@@ -20,11 +20,13 @@ std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbe
     parseNumbers(text, values, faults);
     for (const NumberFault& fault : faults) {
         const std::string token(fault.token), name(node.name());
+        std::string around = surroundings(text, fault);
+        if (!around.empty()) around = ": '" + around + "'";
         const int line = node.textLine(fault.offset);
         if (numbers == Numbers::Error)
-            diagnostics.report(Code::NumberInvalid, node, {token, name}, line);
+            diagnostics.report(Code::NumberInvalid, node, {token, name, around}, line);
         else
-            diagnostics.report(Code::NumberOddWarning, node, {token, name, "0"}, line);
+            diagnostics.report(Code::NumberOddWarning, node, {token, name, "0", around}, line);
     }
     return values;
 }
@@ -117,6 +119,12 @@ Layout readLayout(XmlNode source, std::size_t held, Diagnostics& diagnostics) {
     const std::uint64_t carried = after >= width ? (after - width) / layout.stride + 1 : 0;
     if (!accessor.has("count")) diagnostics.report(Code::MissingAttribute, accessor, {"accessor", "count"});
     layout.count = readCount(accessor, "count", diagnostics).value_or(carried);
+    const bool saysNoWidth = !accessor.has("stride") && !accessor.child("param");
+    if (saysNoWidth && layout.count > 0 && held >= 2 * layout.count && held % layout.count == 0)
+        diagnostics.report(
+            Severity::Warning, Code::CountMismatch, accessor,
+            {"accessor", std::to_string(layout.count),
+             "entries of one value (it has neither stride nor <param>)", std::to_string(held) + " values"});
     if (layout.count > carried) {
         const std::string wanted =
             std::to_string(layout.count) + " entries of " + std::to_string(layout.stride) + " values";
@@ -201,6 +209,9 @@ struct SourceReader::Impl {
         result->values = pick(std::move(values), layout);
         result->params = std::move(layout.params);
         result->element = source;
+        result->array = array;
+        result->offset = static_cast<std::size_t>(layout.offset);
+        result->stride = static_cast<std::size_t>(layout.stride);
         return result;
     }
 
@@ -232,33 +243,6 @@ std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isId
     const auto [entry, isNew] = impl_->names.try_emplace(source);
     if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readNames, miscounted);
     return entry->second;
-}
-
-std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostics& diagnostics) {
-    std::vector<Input> inputs;
-    for (XmlNode element : parent.children("input")) {
-        Input input;
-        input.element = element;
-        input.semantic = element.attribute("semantic");
-        std::int32_t number = 0;
-        for (const char* attribute : {"offset", "set"}) {
-            if (!element.has(attribute)) continue;
-            if (!parseNumber(element.attribute(attribute), number) || number < 0) {
-                diagnostics.report(
-                    Code::NumberInvalid, element,
-                    {std::string(element.attribute(attribute)), std::string("input ") + attribute});
-                number = 0;
-            }
-            (*attribute == 'o' ? input.offset : input.set) = number;
-        }
-        input.hasSet = element.has("set");
-        // Without interpolations everything still moves, on straight lines.
-        const bool canDoWithout = input.semantic == "INTERPOLATION";
-        input.source =
-            documents.follow(element, "source", {}, canDoWithout ? Severity::Warning : Severity::Error);
-        inputs.push_back(std::move(input));
-    }
-    return inputs;
 }
 
 std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {

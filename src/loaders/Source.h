@@ -24,9 +24,12 @@ template <typename T>
 struct Source {
     std::vector<T> values;
     std::size_t width = 0;
-    std::vector<std::string> params;  // names, "X", "Y", ..., "JOINT", "TRANSFORM"
-    XmlNode element;                  // the <source>; for messages
+    std::vector<std::string> params;     // names, "X", "Y", ..., "JOINT", "TRANSFORM"
+    XmlNode element, array;              // the <source> and its numbers or names, for messages
+    std::size_t offset = 0, stride = 1;  // where in the array the entries are
 
+    // In which line of the file an entry starts.
+    int lineOf(std::size_t entry) const { return array.lineOfWord(offset + entry * stride); }
     std::size_t count() const { return width ? values.size() / width : 0; }
     const T* operator[](std::size_t i) const { return values.data() + i * width; }
 };
@@ -63,6 +66,10 @@ struct Input {
     XmlNode element;
     XmlNode source;  // where it leads; nothing where it leads nowhere (already reported as an error)
 };
+
+// Reports an <input> without a semantic, and one that is none of the known (words between spaces): programs may have
+// words of their own, so that is an error of the file only where it looks like a slip.
+void checkSemantic(XmlNode input, std::string_view known, Diagnostics& diagnostics);
 
 // All <input>s of an element, references followed (and reported as an error where they lead nowhere).
 std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostics& diagnostics);

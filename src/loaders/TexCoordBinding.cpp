@@ -25,7 +25,10 @@ int chooseSet(const std::string& name, XmlNode binding, const MeshData& mesh, Di
     for (XmlNode input : binding.children("bind_vertex_input")) {
         if (input.attribute("semantic") != name) continue;
         std::int32_t set = 0;
-        if (input.has("input_set") && !parseNumber(input.attribute("input_set"), set)) break;
+        if (input.has("input_set") && !parseNumber(input.attribute("input_set"), set))
+            diagnostics.report(
+                Code::NumberOddWarning, input,
+                {std::string(input.attribute("input_set")), "bind_vertex_input input_set", "0"});
         if (const int index = indexOfSet(mesh, set); index >= 0) return index;
         diagnostics.report(Code::TexCoordsGuessed, input, {name, std::to_string(set), mesh.id});
         return 0;

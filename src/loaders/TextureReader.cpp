@@ -3,6 +3,7 @@
 #include <array>
 
 #include "loaders/BumpMap.h"
+#include "loaders/Spelling.h"
 
 namespace walkcycle {
 namespace {
@@ -33,13 +34,14 @@ template <typename Value, std::size_t N>
 void readWord(XmlNode node, const std::array<Word<Value>, N>& words, Value& value, Diagnostics& diagnostics) {
     if (!node) return;
     const std::string text = node.text();
+    std::string known;
     for (const Word<Value>& word : words) {
-        if (word.text == text) {
-            value = word.value;
-            return;
-        }
+        known.append(word.text).append(" ");
+        if (word.text != text) continue;
+        value = word.value;
+        return;
     }
-    diagnostics.report(Code::WordUnknown, node, {text, std::string(node.name())});
+    diagnostics.report(Code::WordUnknown, node, {text, std::string(node.name()), didYouMean(text, known)});
 }
 
 // COLLADA 1.5 says in an element of its own how mipmaps are mixed.
@@ -196,8 +198,8 @@ const PictureFinder::Picture& TextureReader::pictureOf(XmlNode image, Texture& t
     if (const XmlNode hex = init.child("hex")) return pictures_.embedded(hex);
     const XmlNode ref = init.child("ref");  // COLLADA 1.5
     texture.uri = ref ? ref.text() : init.text();
-    if (!texture.uri.empty()) return pictures_.find(image, texture.uri);
-    context_.diagnostics.report(Code::ImageEmpty, image, {std::string(image.id())});
+    if (!texture.uri.empty()) return pictures_.find(ref ? ref : init, texture.uri);
+    context_.diagnostics.report(Code::ImageEmpty, init ? init : image, {std::string(image.id())});
     return kNone;
 }
 

@@ -17,10 +17,13 @@ struct Layout {
     std::shared_ptr<const FloatSource> weights;
 };
 
-// What was met on the way, to be said once.
+// What was met on the way, to be said once, and where it was met first or worst: an entry of the WEIGHT source, a number
+// of <v>, a position.
 struct Findings {
     std::size_t negative = 0, unnormalised = 0, unweighted = 0;
+    std::size_t negativeEntry = 0, worstNumber = 0, unweightedPosition = 0;
     float worstSum = 1.0f;
+    int outOfRange = 0;
 };
 
 std::string format(float value) {
@@ -42,6 +45,9 @@ bool readLayout(XmlNode vertexWeights, const LoadContext& context, Layout& layou
         } else if (input.semantic == "WEIGHT" && input.source) {
             layout.weightOffset = offset;
             layout.weights = context.sources.floats(input.source, Numbers::Error);
+            if (layout.weights && layout.weights->width != 1)
+                context.diagnostics.report(Code::SourceWidth, input.element,
+                                           {input.semantic, std::to_string(layout.weights->width), "1"});
         }
     }
     if (hasJoints && layout.weights) return true;
@@ -54,13 +60,19 @@ bool readLayout(XmlNode vertexWeights, const LoadContext& context, Layout& layou
 class Reader {
 public:
     Reader(XmlNode element, const LoadContext& context, const Layout& layout, std::size_t jointCount)
-        : element_(element), context_(context), layout_(layout), jointCount_(jointCount) {}
+        : element_(element),
+          context_(context),
+          layout_(layout),
+          jointCount_(jointCount),
+          v_(readInts(element.child("v"), context.diagnostics)) {}
 
-    // The influences of one position: `count` groups of numbers at `group`.
-    void add(const std::int32_t* group, std::size_t count, Influences& out) {
-        const std::size_t begin = out.influences.size();
-        for (std::size_t i = 0; i < count; ++i, group += layout_.stride) addOne(group, out);
-        normalise(out, begin);
+    std::size_t groupCount() const { return v_.size() / layout_.stride; }
+
+    // The influences of the next position: `count` groups of numbers.
+    void add(std::size_t count, Influences& out) {
+        const std::size_t begin = out.influences.size(), number = at_;
+        for (std::size_t i = 0; i < count; ++i, at_ += layout_.stride) addOne(v_.data() + at_, out);
+        normalise(out, begin, number);
         out.first.push_back(static_cast<std::uint32_t>(out.influences.size()));
     }
 
@@ -71,51 +83,62 @@ public:
 
     void report() const {
         Diagnostics& diagnostics = context_.diagnostics;
+        const XmlNode v = element_.child("v"), vcount = element_.child("vcount");
         if (found_.negative)
-            diagnostics.report(Code::NegativeWeight, element_, {std::to_string(found_.negative)});
+            diagnostics.report(Code::NegativeWeight, layout_.weights->array,
+                               {std::to_string(found_.negative)},
+                               layout_.weights->lineOf(found_.negativeEntry));
         if (found_.unnormalised)
-            diagnostics.report(Code::WeightsNotNormalised, element_,
-                               {std::to_string(found_.unnormalised), format(found_.worstSum)});
+            diagnostics.report(Code::WeightsNotNormalised, v,
+                               {std::to_string(found_.unnormalised), format(found_.worstSum)},
+                               v.lineOfWord(found_.worstNumber));
         if (found_.unweighted)
-            diagnostics.report(Code::UnweightedVertices, element_, {std::to_string(found_.unweighted)});
+            diagnostics.report(Code::UnweightedVertices, vcount, {std::to_string(found_.unweighted)},
+                               vcount.lineOfWord(found_.unweightedPosition));
     }
 
 private:
     void addOne(const std::int32_t* group, Influences& out) {
         const std::int32_t joint = group[layout_.jointOffset], weight = group[layout_.weightOffset];
         if (weight < 0 || static_cast<std::size_t>(weight) >= layout_.weights->count()) {
-            outOfRange("weight", weight, layout_.weights->count());
+            outOfRange("weight", group + layout_.weightOffset, layout_.weights->count());
             return;
         }
         if (joint < -1 || (joint >= 0 && static_cast<std::size_t>(joint) >= jointCount_)) {
-            outOfRange("joint", joint, jointCount_);
+            outOfRange("joint", group + layout_.jointOffset, jointCount_);
             return;
         }
         const float value = (*layout_.weights)[static_cast<std::size_t>(weight)][0];
-        if (value < 0.0f) ++found_.negative;
+        if (value < 0.0f && found_.negative++ == 0) found_.negativeEntry = static_cast<std::size_t>(weight);
         if (value > 0.0f)
             out.influences.push_back(
                 {joint < 0 ? static_cast<std::uint32_t>(jointCount_) : static_cast<std::uint32_t>(joint),
                  value});
     }
 
-    void outOfRange(const char* what, std::int32_t index, std::size_t count) const {
-        context_.diagnostics.report(Code::InfluenceOutOfRange, element_,
-                                    {what, std::to_string(index), std::to_string(count)},
-                                    element_.child("v").line());
+    void outOfRange(const char* what, const std::int32_t* index, std::size_t count) {
+        const XmlNode v = element_.child("v");
+        const bool looked = ++found_.outOfRange <= kMostLinesLookedFor;
+        context_.diagnostics.report(Code::InfluenceOutOfRange, v,
+                                    {what, std::to_string(*index), std::to_string(count)},
+                                    looked ? v.lineOfWord(static_cast<std::size_t>(index - v_.data())) : 0);
     }
 
-    void normalise(Influences& out, std::size_t begin) {
+    // `number` is where in <v> the position's influences start.
+    void normalise(Influences& out, std::size_t begin, std::size_t number) {
         float sum = 0.0f;
         for (std::size_t i = begin; i < out.influences.size(); ++i) sum += out.influences[i].weight;
         if (out.influences.size() == begin || !(sum > 1e-12f) || !std::isfinite(sum)) {
             out.influences.resize(begin);
             out.influences.push_back({static_cast<std::uint32_t>(jointCount_), 1.0f});
-            ++found_.unweighted;
+            if (found_.unweighted++ == 0) found_.unweightedPosition = out.first.size() - 1;
             return;
         }
         if (std::abs(sum - 1.0f) > kSumTolerance) ++found_.unnormalised;
-        if (std::abs(sum - 1.0f) > std::abs(found_.worstSum - 1.0f)) found_.worstSum = sum;
+        if (std::abs(sum - 1.0f) > std::abs(found_.worstSum - 1.0f)) {
+            found_.worstSum = sum;
+            found_.worstNumber = number;
+        }
         for (std::size_t i = begin; i < out.influences.size(); ++i) out.influences[i].weight /= sum;
     }
 
@@ -123,6 +146,8 @@ private:
     const LoadContext& context_;
     const Layout& layout_;
     std::size_t jointCount_;
+    std::vector<std::int32_t> v_;
+    std::size_t at_ = 0;  // in v_
     Findings found_;
 };
 
@@ -151,7 +176,8 @@ std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, 
         if (count < 0 || wanted > groups - used) {
             context.diagnostics.report(
                 Code::CountMismatch, element ? element : vertexWeights,
-                {"v", "at least " + std::to_string(used + wanted), "influences", std::to_string(groups)});
+                {"v", "at least " + std::to_string(used + wanted), "influences", std::to_string(groups)},
+                element.lineOfWord(usable.size()));
             return usable;
         }
         used += wanted;
@@ -174,14 +200,9 @@ Influences readWeights(XmlNode vertexWeights, std::size_t positionCount, std::si
     const bool usable = readLayout(vertexWeights, context, layout);
     Reader reader(vertexWeights, context, layout, jointCount);
     if (usable) {
-        const std::vector<std::int32_t> v = readInts(vertexWeights.child("v"), context.diagnostics);
         const std::vector<std::size_t> counts =
-            readVcounts(vertexWeights, v.size() / layout.stride, positionCount, context);
-        std::size_t at = 0;
-        for (const std::size_t count : counts) {
-            reader.add(v.data() + at, count, out);
-            at += count * layout.stride;
-        }
+            readVcounts(vertexWeights, reader.groupCount(), positionCount, context);
+        for (const std::size_t count : counts) reader.add(count, out);
         reader.report();
         if (counts.size() < positionCount)
             context.diagnostics.report(Code::WeightsShorterThanMesh, vertexWeights,

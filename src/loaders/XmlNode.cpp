@@ -136,6 +136,18 @@ int XmlNode::textLine(std::size_t offset) const {
     return found;
 }
 
+int XmlNode::lineOfWord(std::size_t n) const {
+    std::string joined;
+    const std::string_view text = rawText(joined);
+    bool between = true;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const bool space = static_cast<unsigned char>(text[at]) <= ' ';
+        if (between && !space && n-- == 0) return textLine(at);
+        between = space;
+    }
+    return line();
+}
+
 std::string XmlNode::text() const {
     std::string joined;
     return std::string(trim(rawText(joined)));

@@ -50,6 +50,8 @@ public:
     int textLine(
         std::size_t offset = 0) const;  // of a character of rawText; the element's line if it has no text
 
+    // Of the n-th word of the text; the element's line if it has not so many.
+    int lineOfWord(std::size_t n) const;
     std::vector<std::pair<std::string_view, std::string_view>> attributes()
         const;  // names and values, in order
 

@@ -1,18 +1,23 @@
 #include "model/Diagnostic.h"
 
+#include <string_view>
+
 namespace walkcycle {
 namespace {
 
-const char* nameOf(Severity severity) {
-    switch (severity) {
-        case Severity::Info:
-            return "info";
-        case Severity::Warning:
-            return "warning";
-        case Severity::Error:
-            return "error";
-    }
-    return "error";
+constexpr std::size_t kLongPath = 120;
+
+// Where the fault is, as it stands in a line: without the root, which all paths share. Joints are nested deeply: of a
+// long path the end is enough to find the place, from the last element with an id on or earlier.
+std::string placeIn(std::string_view path) {
+    const std::size_t root = path.find('/');
+    if (root == std::string_view::npos) return {};  // the document as a whole
+    path.remove_prefix(root + 1);
+    if (path.size() <= kLongPath) return std::string(path);
+    std::size_t start = path.find('/', path.size() - kLongPath);
+    const std::size_t id = path.rfind("[id=");
+    if (id != std::string_view::npos && id < start) start = path.rfind('/', id);
+    return start == std::string_view::npos ? std::string(path) : "..." + std::string(path.substr(start));
 }
 
 }  // namespace
@@ -25,6 +30,8 @@ std::string toString(const Diagnostic& diagnostic) {
     text += nameOf(diagnostic.severity);
     if (!diagnostic.code.empty()) text.append(" ").append(diagnostic.code);
     text.append(": ").append(diagnostic.message);
+    if (const std::string place = placeIn(diagnostic.elementPath); !place.empty())
+        text.append(", in ").append(place);
     if (!diagnostic.cure.empty()) text.append(" (").append(diagnostic.cure).append(")");
     if (diagnostic.repeats > 0)
         text.append(" [and ").append(std::to_string(diagnostic.repeats)).append(" more like it]");

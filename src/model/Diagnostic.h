@@ -6,6 +6,11 @@ namespace walkcycle {
 
 enum class Severity { Info, Warning, Error };
 
+// The word for it, in messages, lists and pages alike.
+constexpr const char* nameOf(Severity severity) {
+    return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "info";
+}
+
 // One thing to say about a file, so that its author can mend it.
 struct Diagnostic {
     Severity severity = Severity::Error;
@@ -18,7 +23,8 @@ struct Diagnostic {
     int repeats = 0;  // how many more of the kind were met after this one
 };
 
-// "file:line: severity code: message (cure)"
+// "file:line: severity code: message, in library_geometries/geometry[id=body]/mesh (cure)". A long path loses its
+// beginning, but never its last element with an id; elementPath has all of it.
 std::string toString(const Diagnostic& diagnostic);
 
 }  // namespace walkcycle

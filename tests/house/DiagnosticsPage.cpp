@@ -16,29 +16,20 @@ struct Row {
     const char* text;
     const char* cause;
     const char* cure;
+    const char* inBlender = "";
+    const char* inMaya = "";
+    const char* in3dsMax = "";
 };
 
 const Row kCatalogue[] = {
-#define WC_CODE(number, name, severity, text, cause, cure) \
-    {number, #name, Severity::severity, text, cause, cure},
+#define WC_CODE(number, name, severity, text, cause, ...) \
+    {number, #name, Severity::severity, text, cause, __VA_ARGS__},
 #include "loaders/DiagnosticCodes.inc"
 #undef WC_CODE
 };
 
 std::string idOf(const Row& row) {  // 207: "WC0207"
     return "WC" + std::to_string(10000 + row.number).substr(1);
-}
-
-const char* severityName(Severity severity) {
-    switch (severity) {
-        case Severity::Info:
-            return "info";
-        case Severity::Warning:
-            return "warning";
-        case Severity::Error:
-            return "error";
-    }
-    return "";
 }
 
 // The first two digits of a code say what it is about.
@@ -85,7 +76,8 @@ std::string escaped(const std::string& text) {
 std::string diagnosticsPage() {
     std::string page =
         "# What Walkcycle says about a file\n\n"
-        "Messages have the form `file:line: severity code: text (cure)`. An error means that something of "
+        "Messages have the form `file:line: severity code: text, in element (cure)`. An error means that "
+        "something of "
         "the file is "
         "lost or wrong in the picture; a warning, that Walkcycle had to guess; an info, that something is "
         "unusual and "
@@ -98,9 +90,13 @@ std::string diagnosticsPage() {
         const std::string id = idOf(row);
         if (chapterOf(id) != chapter) page += "\n## " + (chapter = chapterOf(id)) + "\n";
         page += "\n### " + id + " " + row.name + "\n\n";
-        page += "*" + std::string(severityName(row.severity)) + "*: " + escaped(withDots(row.text)) + "\n\n";
+        page += "*" + std::string(nameOf(row.severity)) + "*: " + escaped(withDots(row.text)) + "\n\n";
         page += escaped(row.cause) + "\n\n";
         page += "Cure: " + escaped(row.cure) + ".\n";
+        if (!*row.inBlender) continue;
+        page += "\n- Blender: " + escaped(row.inBlender) + "\n";
+        page += "- Maya: " + escaped(row.inMaya) + "\n";
+        page += "- 3ds Max: " + escaped(row.in3dsMax) + "\n";
     }
     return page;
 }

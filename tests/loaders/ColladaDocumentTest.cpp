@@ -139,7 +139,7 @@ TEST(ColladaDocumentTest, theElementLimitHoldsAtItsElement) {
     limits.maxElements = 5;
     EXPECT_EQ(refusal(nested(4), limits).code, "");
     EXPECT_EQ(refusal(nested(5), limits).code, "");
-    EXPECT_THAT(refusal(nested(6), limits), says("WC0801", 6, ""));
+    EXPECT_THAT(refusal(nested(6), limits), says("WC0801", 6, "COLLADA/node/node/node/node/node"));
 }
 
 }  // namespace

@@ -95,10 +95,11 @@ TEST(ControllerLoaderTest, aTargetThatIsNotThereMovesNothingUnderEitherMethod) {
                                          scene(nodes("#smile")));
         const Model model = loadText(text);
         EXPECT_THAT(posed(model), ElementsAre(isAt(0, 0, 0), isAt(1, 0, 0), isAt(0, 1, 0))) << method;
-        EXPECT_THAT(model.diagnostics,
-                    ElementsAre(says(
-                        "WC0201", lineOf(text, "<source id=\"smile-names\""),
-                        "COLLADA/library_controllers/controller[id=smile]/morph/source[id=smile-names]")));
+        EXPECT_THAT(
+            model.diagnostics,
+            ElementsAre(says("WC0201", lineOf(text, "<IDREF_array id=\"smile-names"),
+                             "COLLADA/library_controllers/controller[id=smile]/morph/source[id=smile-names]/"
+                             "IDREF_array[id=smile-names-array]")));
     }
 }
 

@@ -24,8 +24,8 @@ TEST(DiagnosticsTest, aReportSaysFileLineAndElement) {
     TestLoad load("<COLLADA>\n<library_nodes>\n<node id='hip'/></library_nodes></COLLADA>");
     load.diagnostics.report(Code::MissingElement, load.byId("hip"), {"node", "translate"});
     EXPECT_THAT(load.diagnostics.all()[0], says("WC0203", 3, "COLLADA/library_nodes/node[id=hip]"));
-    EXPECT_EQ(toString(load.diagnostics.all()[0]).substr(0, 54),
-              "test.dae:3: error WC0203: <node> has no <translate> (e");
+    EXPECT_EQ(toString(load.diagnostics.all()[0]).substr(0, 85),
+              "test.dae:3: error WC0203: <node> has no <translate>, in library_nodes/node[id=hip] (e");
 }
 
 TEST(DiagnosticsTest, whatRepeatsIsCountedAfterTheThird) {
@@ -69,6 +69,29 @@ TEST(DiagnosticsTest, aVeryLongArgumentIsCutBetweenCharacters) {
     EXPECT_EQ(diagnostics.all()[0].message, std::string(199, 'x') + "...");
     diagnostics.report(Code::FileUnreadable, "b.dae", 1, {std::string(198, 'x') + "\xC3\xA9tude"});
     EXPECT_EQ(diagnostics.all()[1].message, std::string(198, 'x') + "\xC3\xA9...");
+}
+
+TEST(DiagnosticsTest, oneFaultInElementsOfManyNamesIsAHandfulOfLines) {
+    std::string text = "<COLLADA>";
+    for (int i = 0; i < 10000; ++i) text += "<e" + std::to_string(i % 500) + "/>";
+    TestLoad load(text + "</COLLADA>");
+    for (const XmlNode element : load.collada.children())
+        load.diagnostics.report(Code::MissingAttribute, element, {std::string(element.name()), "id"});
+    EXPECT_LT(load.diagnostics.all().size(), 20u);
+    int counted = 0;
+    for (const Diagnostic& one : load.diagnostics.all()) counted += 1 + one.repeats;
+    EXPECT_EQ(counted, 10000);
+}
+
+TEST(DiagnosticsTest, tenThousandDamagedNodesAreAHandfulOfLines) {
+    std::string nodes;
+    for (int i = 0; i < 10000; ++i)
+        nodes += "<node id='n" + std::to_string(i) + "'><" +
+                 (i % 2 ? "translate>1 x 2</translate" : "scale>1 1</scale") +
+                 "><instance_geometry url='#gone" + std::to_string(i) + "'/></node>\n";
+    const Model model = loadText(collada(scene(nodes)));
+    EXPECT_LT(model.diagnostics.size(), 15u);
+    EXPECT_EQ(model.skeleton.joints.size(), 10000u);
 }
 
 TEST(DiagnosticsTest, aFileOfManyKindsOfFaultsDoesNotFillTheMemory) {

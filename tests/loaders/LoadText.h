@@ -33,11 +33,11 @@ std::string triangle(const std::string& id = "mesh", const std::string& position
 // A <controller> with a <skin> of `source`, to be changed piece by piece.
 struct SkinText {
     std::string id = "skin", source = "#mesh";
-    std::string bindShape;  // the element, where there is one
+    std::string bindShape{};  // the element, where there is one
     std::string joints = nameSource("joints", "hip knee");
-    std::string inverseBinds;  // a source "binds"; empty: no such input
+    std::string inverseBinds{};  // a source "binds"; empty: no such input
     std::string weights = floatSource("weights", "1 0.5 0.25", "W");
-    std::string weightInputs;  // more <input>s of <vertex_weights>
+    std::string weightInputs{};  // more <input>s of <vertex_weights>
     int positions = 3;         // the count that <vertex_weights> claims
     std::string vcount = "1 1 1";
     std::string v = "0 0 1 0 1 0";

@@ -111,5 +111,21 @@ TEST(NumberParserTest, wordsAreSplitAtWhiteSpaceOnly) {
     EXPECT_EQ(trim("\n a b \t"), "a b");
 }
 
+std::string aroundTheFirstFault(std::string_view text) {
+    std::vector<double> values;
+    std::vector<NumberFault> faults;
+    parseNumbers(text, values, faults);
+    return surroundings(text, faults.at(0));
+}
+
+TEST(NumberParserTest, aFaultIsShownWithTheFewNumbersAroundIt) {
+    EXPECT_EQ(aroundTheFirstFault("9 8 7 6\n1,5 \t3 4 5 2"), "... 8 7 6 1,5 3 4 5 ...");
+    EXPECT_EQ(aroundTheFirstFault("x 1 2"), "x 1 2");
+    EXPECT_EQ(aroundTheFirstFault(" 1 2 x "), "1 2 x");
+    EXPECT_EQ(aroundTheFirstFault(" x "), "");
+    EXPECT_EQ(aroundTheFirstFault("1 " + std::string(1000, 'x') + " 2"),
+              "1 " + std::string(20, 'x') + "... 2");
+}
+
 }  // namespace
 }  // namespace walkcycle

@@ -73,7 +73,8 @@ TEST(SkeletonLoaderTest, instancesNestAndComeFromOtherDocuments) {
     options.resolver = [](const std::string&) {
         return std::optional(
             bytesOf("<COLLADA><asset><unit meter='0.01'/></asset>"
-                    "<node id='foot' name='foot'><translate>100 0 0</translate></node></COLLADA>"));
+                    "<library_nodes><node id='foot' name='foot'><translate>100 0 0</translate></node>"
+                    "</library_nodes></COLLADA>"));
     };
     LoadedScene scene("<node name='hip'><instance_node url='#leg'/></node>",
                       "<node id='leg' name='leg'><instance_node url='other.dae#foot'/></node>", options);

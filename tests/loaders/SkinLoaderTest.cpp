@@ -112,8 +112,9 @@ TEST(SkinLoaderTest, aJointThatIsNotThereIsAnErrorAndItsVerticesStayWithTheNode)
     const std::string text = document(skin);
     const Model model = loadText(text);
     EXPECT_THAT(posed(model), ElementsAre(isAt(1, 0, 1), isAt(1, 5, 0), isAt(0, 6, 0)));
-    EXPECT_THAT(model.diagnostics, ElementsAre(says("WC0401", lineOf(text, "<skin"),
-                                                    "COLLADA/library_controllers/controller[id=skin]/skin")));
+    EXPECT_THAT(model.diagnostics, ElementsAre(says("WC0401", lineOf(text, "hip ankle"),
+                                                    "COLLADA/library_controllers/controller[id=skin]/skin/"
+                                                    "source[id=joints]/Name_array[id=joints-array]")));
     EXPECT_THAT(model.diagnostics[0].message, testing::HasSubstr("'ankle'"));
 }
 

@@ -232,8 +232,8 @@ TEST(SourceTest, inputsKeepSemanticOffsetAndSet) {
 
 TEST(SourceTest, anInputThatLeadsNowhereOrHasNoUsableOffsetIsReported) {
     TestLoad load(
-        "<COLLADA><p>\n<input semantic='A' source='#gone'/>\n<input semantic='B'/>\n"
-        "<input semantic='C' source='#s' offset='-1'/></p>" +
+        "<COLLADA><p>\n<input semantic='POSITION' source='#gone'/>\n<input semantic='NORMAL'/>\n"
+        "<input semantic='COLOR' source='#s' offset='-1'/></p>" +
         floatSource("s", "1 2 3") + "</COLLADA>");
     const std::vector<Input> inputs = readInputs(load.collada.child("p"), load.documents, load.diagnostics);
     EXPECT_FALSE(inputs[0].source);

@@ -18,6 +18,46 @@ TEST(DiagnosticTest, saysWhereWhatAndHowToMendIt) {
               "model.dae:653: error WC0207: <skin> has no <vertex_weights> (re-export with weights)");
 }
 
+TEST(DiagnosticTest, namesTheElementWithoutTheRoot) {
+    const Diagnostic diagnostic{.severity = Severity::Error,
+                                .code = "WC0207",
+                                .file = "model.dae",
+                                .line = 653,
+                                .elementPath = "COLLADA/library_controllers/controller[id=body]/skin",
+                                .message = "<skin> has no <vertex_weights>",
+                                .cure = "re-export with weights"};
+
+    EXPECT_EQ(toString(diagnostic),
+              "model.dae:653: error WC0207: <skin> has no <vertex_weights>, in "
+              "library_controllers/controller[id=body]/skin (re-export with weights)");
+}
+
+TEST(DiagnosticTest, aLongPathLosesItsBeginningButNotTheLastId) {
+    Diagnostic diagnostic;
+    diagnostic.message = "odd";
+    diagnostic.elementPath = "COLLADA/library_visual_scenes/visual_scene[id=s]";
+    for (const char* joint : {"pelvis", "spine", "chest", "neck", "shoulder", "elbow"})
+        diagnostic.elementPath.append("/node[id=").append(joint).append("]");
+    diagnostic.elementPath += "/node[sid=wrist]/matrix";
+    EXPECT_EQ(
+        toString(diagnostic),
+        "error: odd, in "
+        ".../node[id=pelvis]/node[id=spine]/node[id=chest]/node[id=neck]/node[id=shoulder]/node[id=elbow]/"
+        "node[sid=wrist]/matrix");
+
+    const std::string id(150, 'x');
+    diagnostic.elementPath = "COLLADA/library_geometries/geometry[id=" + id + "]/mesh";
+    EXPECT_EQ(toString(diagnostic), "error: odd, in .../geometry[id=" + id + "]/mesh");
+}
+
+TEST(DiagnosticTest, theDocumentAsAWholeIsNoElementToName) {
+    Diagnostic diagnostic;
+    diagnostic.message = "odd";
+    diagnostic.elementPath = "COLLADA";
+
+    EXPECT_EQ(toString(diagnostic), "error: odd");
+}
+
 TEST(DiagnosticTest, leavesOutWhatIsNotKnown) {
     const Diagnostic diagnostic{.severity = Severity::Warning,
                                 .code = "WC0101",
