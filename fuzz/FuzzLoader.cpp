@@ -22,8 +22,13 @@ LoadOptions smallLoad(std::span<const std::uint8_t> bytes) {
     options.limits.maxSkinJoints = 20'000;
     options.limits.maxKeyFrames = 50'000;
     options.limits.maxDocuments = 3;
-    options.limits.image = {.maxDimension = 512, .maxPixels = 1 << 16};
-    options.limits.archive = {.maxTotalBytes = 1 << 22, .maxEntries = 100, .maxRatio = 200.0};
+    options.limits.maxImageDimension = 512;
+    options.limits.maxImagePixels = 1 << 16;
+    options.limits.maxArchiveBytes = 1 << 22;
+    options.limits.maxArchiveEntries = 100;
+    options.limits.maxPositions = 200'000;
+    options.limits.maxInstancedElements = 20'000;
+    options.limits.maxKeyNumbers = 500'000;
     options.resolver = [bytes](const std::string& path) -> std::optional<Bytes> {
         if (path.find("other") == std::string::npos) return std::nullopt;
         return Bytes(bytes.begin(), bytes.end());

@@ -7,7 +7,7 @@ namespace {
 
 using namespace walkcycle;
 
-constexpr ArchiveLimits kLimits{.maxTotalBytes = 1 << 20, .maxEntries = 64, .maxRatio = 200.0};
+constexpr ArchiveLimits kLimits{.maxTotalBytes = 1 << 20, .maxEntries = 64, .maxRatio = 200};
 
 void readAll(const Bytes& bytes) {
     const Archive archive(bytes, kLimits);

@@ -23,6 +23,18 @@ void Arguments::option(const std::string& names, const std::string& value, const
     app_.add_option_function<std::string>(names, set, help)->option_text(value)->group(group_);
 }
 
+void Arguments::eachOption(const std::string& names, const std::string& value, const std::string& help,
+                           const std::function<void(const std::string&)>& add) {
+    const auto addAll = [add](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) add(text);
+    };
+    app_.add_option_function<std::vector<std::string>>(names, addAll, help)
+        ->option_text(value)
+        ->allow_extra_args(false)
+        ->take_all()
+        ->group(group_);
+}
+
 void Arguments::options(const std::string& names, const std::string& value, const std::string& help,
                         std::vector<std::string>& target) {
     // Without allow_extra_args(false), one --anim would swallow the positional FILE after its own.

@@ -27,6 +27,8 @@ public:
     void option(const std::string& names, const std::string& value, const std::string& help,
                 const std::function<void(const std::string&)>& set);
     // May be given several times.
+    void eachOption(const std::string& names, const std::string& value, const std::string& help,
+                    const std::function<void(const std::string&)>& add);
     void options(const std::string& names, const std::string& value, const std::string& help,
                  std::vector<std::string>& target);
     // One of `choices`; anything else is an error that lists them.

@@ -1,5 +1,7 @@
 #include "app/LoadArguments.h"
 
+#include <algorithm>
+
 #include "app/ExitCode.h"
 #include "app/Numbers.h"
 #include "loaders/ColladaLoader.h"
@@ -19,6 +21,24 @@ double parsePositive(const std::string& text, const std::string& option) {
     const double number = parseNumber(text, option);
     if (!(number > 0.0)) throw UsageError(option + ": '" + text + "' is not over zero");
     return number;
+}
+
+std::string limitNames() {
+    std::string names;
+    for (const LimitInfo& limit : kLimits) names += (names.empty() ? "" : ", ") + std::string(limit.name);
+    return names;
+}
+
+void setLimit(const std::string& text, LoadLimits& limits) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals);
+    const LimitInfo* limit = findLimit(name);
+    if (!limit) throw UsageError("--limit: '" + name + "' is not a limit; there are " + limitNames());
+    if (equals == text.size()) throw UsageError("--limit: give a value, as in " + name + "=" + "1000");
+    const std::uint64_t value = parseSize(text.substr(equals + 1), "--limit " + name);
+    if (value > limit->most)
+        throw UsageError("--limit: " + name + " can be at most " + std::to_string(limit->most));
+    limits.*limit->value = value;
 }
 
 }  // namespace
@@ -48,33 +68,11 @@ void LoadArguments::declare(Arguments& arguments) {
 }
 
 void LoadArguments::declareLimits(Arguments& arguments) {
-    arguments.group("Limits (with k, M, G)");
-    const auto limit = [&](const std::string& name, const std::string& help, std::uint64_t& target) {
-        arguments.option(name, "N", help,
-                         [&target, name](const std::string& text) { target = parseSize(text, name); });
-    };
-    LoadLimits& limits = options.limits;
-    limit("--max-file-bytes", "Size of a file", limits.maxFileBytes);
-    limit("--max-elements", "XML elements of a document", limits.maxElements);
-    limit("--max-nodes", "Nodes of the scene", limits.maxNodes);
-    limit("--max-instances", "Meshes drawn", limits.maxInstances);
-    limit("--max-vertices", "Vertices of all meshes drawn", limits.maxVertices);
-    limit("--max-influences", "Joints that pull one vertex", limits.maxInfluencesPerVertex);
-    limit("--max-keyframes", "Keyframes made from the curves", limits.maxKeyFrames);
-    limit("--max-documents", "Other documents referred to", limits.maxDocuments);
-    limit("--max-archive-bytes", "Unpacked size of an archive", limits.archive.maxTotalBytes);
-    limit("--max-archive-entries", "Files in an archive", limits.archive.maxEntries);
-    arguments.option("--max-archive-ratio", "X", "Unpacked over packed size",
-                     [&limits](const std::string& text) {
-                         limits.archive.maxRatio = parsePositive(text, "--max-archive-ratio");
-                     });
-    arguments.option("--max-image-size", "N", "Width or height of a picture",
-                     [&limits](const std::string& text) {
-                         limits.image.maxDimension = parseInteger(text, "--max-image-size", 1, 65536);
-                     });
-    arguments.option("--max-image-pixels", "N", "Pixels of a picture", [&limits](const std::string& text) {
-        limits.image.maxPixels = static_cast<std::int64_t>(parseSize(text, "--max-image-pixels"));
-    });
+    arguments.eachOption(
+        "--limit", "NAME=VALUE",
+        "Raise or lower what a load may cost: file-bytes=2G (k, M and G are of 1024; a wrong NAME "
+        "lists them all)",
+        [this](const std::string& text) { setLimit(text, options.limits); });
 }
 
 Model LoadArguments::loadSilently(const std::string& file) const {

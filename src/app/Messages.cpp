@@ -52,7 +52,11 @@ std::string highlighted(const Diagnostic& diagnostic) {
 
 }  // namespace
 
-void printError(const std::string& message) {
+// One line, whatever a driver or a library put into it.
+void printError(const std::string& text) {
+    std::string message = text.substr(0, text.find_last_not_of("\n\r ") + 1);
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     print("walkcycle: " + colored("error", "1;31") + ": " + message + "\n");
 }
 

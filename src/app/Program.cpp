@@ -4,8 +4,10 @@
 #include <csignal>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "app/Commands.h"
@@ -15,7 +17,9 @@
 #include "io/File.h"
 #include "io/Image.h"
 #include "loaders/Diagnostics.h"
+#include "platform/DisplayLoss.h"
 #include "platform/NoGraphicsDevice.h"
+#include "render/GraphicsError.h"
 
 namespace walkcycle {
 namespace {
@@ -34,17 +38,36 @@ constexpr const char* kExamples =
     "  walkcycle render --help                   all about one verb\n"
     "\nExit codes: 0 fine; 1 the file has errors, or pictures differ; 2 wrong usage, or a file that cannot "
     "be read or\n"
-    "written; 3 no graphics device; 130 interrupted.";
+    "written; 3 no graphics device, or it is lost; 130 interrupted, 143 terminated.";
 
-void onInterrupt(int) {
+// As a shell says it: 130 after SIGINT, 143 after SIGTERM.
+void onInterrupt(int signal) {
     removeUnfinishedFiles();
-    ::_exit(kInterrupted);
+    ::_exit(kInterrupted - SIGINT + signal);
 }
 
-void installSignalHandlers() {
+void onDisplayLost() {
+    removeUnfinishedFiles();
+    printError("the display is gone");
+    ::_exit(kNoGraphics);
+}
+
+void installHandlers() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, onInterrupt) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup wants it
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a FileError like any other
+    // A closed pipe and a file that may not grow further are FileErrors like any other.
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+    whenDisplayIsLost(onDisplayLost);
+}
+
+// Where a standard stream is closed, the next file that is opened would take its number, and what is printed would
+// end up there. A stream that can do nothing keeps the place.
+void holdStandardStreams() {
+    for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(fd, F_GETFD) >= 0) continue;
+        const int opened = ::open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        if (opened != fd && opened >= 0) ::close(opened);
+    }
 }
 
 std::vector<Command> allCommands() {
@@ -89,7 +112,9 @@ int run(std::vector<std::string> arguments) {
     try {
         app.parse(arguments);
     } catch (const CLI::Success& success) {  // --help and --version
-        app.exit(success);
+        std::ostringstream help;
+        app.exit(success, help, help);
+        printOut(help.str());
     } catch (const CLI::ParseError& error) {
         printError(std::string(error.what()) + " (walkcycle --help tells what there is)");
         return kWrongUsage;
@@ -107,7 +132,8 @@ int exitCodeOf(const LoadError& error) {
 }  // namespace
 
 int runProgram(std::vector<std::string> arguments) {
-    installSignalHandlers();
+    holdStandardStreams();
+    installHandlers();
     try {
         return run(std::move(arguments));
     } catch (const UsageError& error) {
@@ -121,6 +147,9 @@ int runProgram(std::vector<std::string> arguments) {
     } catch (const StrictFailure&) {
         return kFaultsFound;
     } catch (const NoGraphicsDevice& error) {
+        printError(error.what());
+        return kNoGraphics;
+    } catch (const GraphicsError& error) {
         printError(error.what());
         return kNoGraphics;
     } catch (const std::bad_alloc&) {

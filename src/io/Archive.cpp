@@ -31,6 +31,11 @@ bool isHarmless(const std::string& name) {
     return true;
 }
 
+// Rounded up, so that a ratio is over a limit only where it is.
+std::uint64_t timesItsSize(std::uint64_t unpacked, std::uint64_t packed) {
+    return packed == 0 ? UINT64_MAX : unpacked / packed + (unpacked % packed != 0);
+}
+
 std::string withoutComments(std::string xml) {
     for (std::size_t start; (start = xml.find("<!--")) != std::string::npos;) {
         const std::size_t end = xml.find("-->", start + 4);
@@ -98,9 +103,11 @@ void Archive::Impl::open() {
 
 void Archive::Impl::list() {
     const zip_int64_t count = zip_get_num_entries(zip, 0);
-    if (count < 0 || static_cast<std::uint64_t>(count) > limits.maxEntries)
-        throw ArchiveError("it holds " + std::to_string(count) + " entries; the limit is " +
-                           std::to_string(limits.maxEntries));
+    if (count < 0) throw ArchiveError("its entries cannot be counted");
+    if (static_cast<std::uint64_t>(count) > limits.maxEntries)
+        throw ArchiveTooLarge("it holds " + std::to_string(count) + " entries; the limit is " +
+                                  std::to_string(limits.maxEntries),
+                              static_cast<std::uint64_t>(count), &ArchiveLimits::maxEntries);
     std::uint64_t total = 0;
     for (zip_uint64_t i = 0; i < static_cast<zip_uint64_t>(count); ++i) {
         zip_stat_t stat;
@@ -110,18 +117,20 @@ void Archive::Impl::list() {
         std::replace(name.begin(), name.end(), '\\', '/');
         if (!isHarmless(name) || name.back() == '/') continue;
         if (stat.size > limits.maxTotalBytes - total)
-            throw ArchiveError("its files are over the limit of " + std::to_string(limits.maxTotalBytes) +
-                               " bytes together");
+            throw ArchiveTooLarge(
+                "its files are over the limit of " + std::to_string(limits.maxTotalBytes) + " bytes together",
+                stat.size > UINT64_MAX - total ? UINT64_MAX : total + stat.size,
+                &ArchiveLimits::maxTotalBytes);
         total += stat.size;
         if (members.emplace(name, Member{i, stat.size, stat.comp_size}).second) names.push_back(name);
     }
 }
 
 Bytes Archive::Impl::unpack(const std::string& name, const Member& member) const {
-    if (member.size > kMegabyte &&
-        static_cast<double>(member.size) > limits.maxRatio * static_cast<double>(member.packedSize))
-        throw ArchiveError("'" + name + "' unpacks to " + std::to_string(member.size) + " bytes from " +
-                           std::to_string(member.packedSize) + ", which no honest file does");
+    if (member.size > kMegabyte && timesItsSize(member.size, member.packedSize) > limits.maxRatio)
+        throw ArchiveTooLarge("'" + name + "' unpacks to " + std::to_string(member.size) + " bytes from " +
+                                  std::to_string(member.packedSize) + ", which no honest file does",
+                              timesItsSize(member.size, member.packedSize), &ArchiveLimits::maxRatio);
     zip_file_t* file = zip_fopen_index(zip, member.index, 0);
     if (!file) throw ArchiveError("'" + name + "' cannot be unpacked: " + zip_strerror(zip));
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> owner(file, zip_fclose);

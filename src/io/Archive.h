@@ -11,11 +11,18 @@ namespace walkcycle {
 struct ArchiveLimits {
     std::uint64_t maxTotalBytes = std::uint64_t{1} << 30;  // of all that is unpacked
     std::uint64_t maxEntries = 10000;
-    double maxRatio = 200.0;  // unpacked / packed, for entries over a megabyte
+    std::uint64_t maxRatio = 200;  // unpacked / packed, for entries over a megabyte
 };
 
 struct ArchiveError : std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+// One of ArchiveLimits is passed.
+struct ArchiveTooLarge : ArchiveError {
+    ArchiveTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ArchiveLimits::*passed)
+        : ArchiveError(what), amount(found), limit(passed) {}
+    std::uint64_t amount;
+    std::uint64_t ArchiveLimits::*limit;
 };
 
 // A .zae (zip) archive in memory (libzip). Names are as stored, '/' between folders.

@@ -27,6 +27,11 @@ constexpr std::size_t kChunk = std::size_t{1} << 20;
     fail(what, path, std::generic_category().message(errno));
 }
 
+[[noreturn]] void failAsTooLarge(const std::string& path, std::uint64_t bytes, std::uint64_t maxBytes) {
+    throw FileTooLarge(
+        "cannot read '" + path + "': it is over the limit of " + std::to_string(maxBytes) + " bytes", bytes);
+}
+
 class Descriptor {
 public:
     explicit Descriptor(int fd) : fd_(fd) {}
@@ -68,11 +73,21 @@ Bytes readAll(int fd, std::uint64_t sizeHint, std::uint64_t maxBytes, const std:
         if (got < 0) failWithErrno("read", path);
         if (got == 0) break;
         used += static_cast<std::size_t>(got);
-        if (used > maxBytes)
-            fail("read", path, "it is over the limit of " + std::to_string(maxBytes) + " bytes");
+        if (used > maxBytes) failAsTooLarge(path, used, maxBytes);
     }
     bytes.resize(used);
     return bytes;
+}
+
+// Half of an old file and half of a new one is neither.
+void requireUnchanged(int fd, const struct stat& before, std::size_t got, const std::string& path) {
+    struct stat after {};
+    if (::fstat(fd, &after) != 0) failWithErrno("read", path);
+    const bool asLong = before.st_size == 0 || got == static_cast<std::size_t>(before.st_size);
+    if (asLong && after.st_size == before.st_size && after.st_mtim.tv_sec == before.st_mtim.tv_sec &&
+        after.st_mtim.tv_nsec == before.st_mtim.tv_nsec)
+        return;
+    fail("read", path, "it changed while it was being read; try again when its writer is done");
 }
 
 void writeAll(int fd, std::span<const std::uint8_t> bytes, const std::string& path) {
@@ -127,7 +142,12 @@ std::string temporaryNameBeside(const std::string& path) {
     static std::atomic<unsigned> counter{0};
     const std::size_t slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
-    return folder + ".walkcycle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    std::string name;
+    struct stat status {};
+    do {  // pids come again: a program that was killed may have left its own behind
+        name = folder + ".walkcycle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    } while (::lstat(name.c_str(), &status) == 0);
+    return name;
 }
 
 void writeThrough(const std::string& path, std::span<const std::uint8_t> bytes) {
@@ -163,8 +183,10 @@ Bytes readFile(const std::string& path, std::uint64_t maxBytes) {
     if (file.get() < 0 || ::fstat(file.get(), &status) != 0) failWithErrno("read", path);
     if (!S_ISREG(status.st_mode)) fail("read", path, kindOfFile(status.st_mode));
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
-    if (size > maxBytes) fail("read", path, "it is over the limit of " + std::to_string(maxBytes) + " bytes");
-    return readAll(file.get(), size, maxBytes, path);
+    if (size > maxBytes) failAsTooLarge(path, size, maxBytes);
+    Bytes bytes = readAll(file.get(), size, maxBytes, path);
+    requireUnchanged(file.get(), status, bytes.size(), path);
+    return bytes;
 }
 
 void writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {

@@ -14,9 +14,14 @@ using Bytes = std::vector<std::uint8_t>;
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+// It is there, and larger than asked for.
+struct FileTooLarge : FileError {
+    FileTooLarge(const std::string& what, std::uint64_t bytes) : FileError(what), amount(bytes) {}
+    std::uint64_t amount;  // at least so many bytes
+};
 
-// Reads a whole regular file ("-": standard input). Refuses directories, FIFOs and devices, and files over
-// maxBytes.
+// Reads a whole regular file ("-": standard input). Refuses directories, FIFOs and devices, files over maxBytes
+// (FileTooLarge), and files that change meanwhile.
 Bytes readFile(const std::string& path, std::uint64_t maxBytes);
 
 // Writes a whole file or nothing: into a temporary file beside it, then renamed over it ("-": standard

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <climits>
+#include <new>
 
 #include <zlib.h>
 
@@ -29,12 +30,14 @@ private:
 
 void checkSize(const Bytes& unpacked, std::size_t packed, const ArchiveLimits& limits) {
     if (unpacked.size() > limits.maxTotalBytes)
-        throw ArchiveError("it unpacks to over the limit of " + std::to_string(limits.maxTotalBytes) +
-                           " bytes");
-    if (unpacked.size() > kChunk &&
-        static_cast<double>(unpacked.size()) > limits.maxRatio * static_cast<double>(packed))
-        throw ArchiveError("it unpacks to more than " + std::to_string(static_cast<int>(limits.maxRatio)) +
-                           " times its size, which no honest file does");
+        throw ArchiveTooLarge(
+            "it unpacks to over the limit of " + std::to_string(limits.maxTotalBytes) + " bytes",
+            unpacked.size(), &ArchiveLimits::maxTotalBytes);
+    const std::uint64_t ratio = (unpacked.size() + packed - 1) / packed;
+    if (unpacked.size() > kChunk && ratio > limits.maxRatio)
+        throw ArchiveTooLarge("it unpacks to more than " + std::to_string(limits.maxRatio) +
+                                  " times its size, which no honest file does",
+                              ratio, &ArchiveLimits::maxRatio);
 }
 
 }  // namespace
@@ -61,6 +64,8 @@ Bytes gunzip(const Bytes& bytes, const ArchiveLimits& limits) {
         if (result == Z_STREAM_END && !anotherMember) return unpacked;
         if (result == Z_STREAM_END) {
             inflateReset(&stream);
+        } else if (result == Z_MEM_ERROR) {
+            throw std::bad_alloc();
         } else if (result != Z_OK) {
             throw ArchiveError(result == Z_BUF_ERROR ? "the gzip data are cut short"
                                                      : "the gzip data are damaged");

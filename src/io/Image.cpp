@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 
 #include <webp/decode.h>
 
@@ -16,12 +17,18 @@ namespace {
 // The largest block that stb_image may ask for: it believes the lengths that a file claims, so that some two hundred
 // bytes of PNG ask for two gigabytes.
 thread_local std::size_t largestBlock = 0;
+// It was not, but there is no memory left: no fault of the file's.
+thread_local bool outOfMemory = false;
 
 void* allocateBlock(std::size_t bytes) {
-    return bytes <= largestBlock ? std::malloc(bytes) : nullptr;
+    void* block = bytes <= largestBlock ? std::malloc(bytes) : nullptr;
+    outOfMemory = outOfMemory || (!block && bytes <= largestBlock);
+    return block;
 }
 void* resizeBlock(void* block, std::size_t bytes) {
-    return bytes <= largestBlock ? std::realloc(block, bytes) : nullptr;
+    void* resized = bytes <= largestBlock ? std::realloc(block, bytes) : nullptr;
+    outOfMemory = outOfMemory || (!resized && bytes <= largestBlock);
+    return resized;
 }
 
 }  // namespace
@@ -91,6 +98,7 @@ Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, components = 0;
     largestBlock = kBlockMargin;
+    outOfMemory = false;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &components))
         throw ImageError(std::string("not a picture of a known kind (") + stbi_failure_reason() + ")");
     checkSize(width, height, bytes.size(), limits);
@@ -98,6 +106,7 @@ Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
                    kBlockPerPixel * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &components, 4), stbi_image_free);
+    if (!pixels && outOfMemory) throw std::bad_alloc();
     if (!pixels) throw ImageError(std::string("the picture is damaged (") + stbi_failure_reason() + ")");
     checkSize(width, height, bytes.size(), limits);
     Image image = emptyImage(width, height, components == 2 || components == 4);

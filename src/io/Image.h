@@ -19,12 +19,19 @@ struct Image {
 
 // How large a picture may be before decodeImage refuses it, so that a few bytes cannot cost gigabytes.
 struct ImageLimits {
-    int maxDimension = 16384;
-    std::int64_t maxPixels = 64 * 1024 * 1024;
+    std::uint64_t maxDimension = 16384;
+    std::uint64_t maxPixels = 64 * 1024 * 1024;
 };
 
 struct ImageError : std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+// One of ImageLimits is passed.
+struct ImageTooLarge : ImageError {
+    ImageTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ImageLimits::*passed)
+        : ImageError(what), amount(found), limit(passed) {}
+    std::uint64_t amount;
+    std::uint64_t ImageLimits::*limit;
 };
 
 // Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError saying what is wrong.

@@ -1,5 +1,7 @@
 #include "io/ImageSize.h"
 
+#include <algorithm>
+
 namespace walkcycle {
 namespace {
 
@@ -12,12 +14,16 @@ constexpr std::int64_t kMostPixelsPerByte = 16384;
 void checkSize(std::int64_t width, std::int64_t height, std::size_t bytes, const ImageLimits& limits) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
     if (width <= 0 || height <= 0) throw ImageError("the picture has no pixels (" + size + ")");
-    if (width > limits.maxDimension || height > limits.maxDimension)
-        throw ImageError("the picture is " + size + " pixels; the limit is " +
-                         std::to_string(limits.maxDimension) + " a side");
-    if (width * height > limits.maxPixels)
-        throw ImageError("the picture is " + size + " pixels; the limit is " +
-                         std::to_string(limits.maxPixels) + " in all");
+    const auto side = static_cast<std::uint64_t>(std::max(width, height));
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (side > limits.maxDimension)
+        throw ImageTooLarge("the picture is " + size + " pixels; the limit is " +
+                                std::to_string(limits.maxDimension) + " a side",
+                            side, &ImageLimits::maxDimension);
+    if (pixels > limits.maxPixels)
+        throw ImageTooLarge("the picture is " + size + " pixels; the limit is " +
+                                std::to_string(limits.maxPixels) + " in all",
+                            pixels, &ImageLimits::maxPixels);
     if (width * height > kMostPixelsPerByte * static_cast<std::int64_t>(bytes))
         throw ImageError("the picture is cut short: " + std::to_string(bytes) + " bytes for " + size +
                          " pixels");

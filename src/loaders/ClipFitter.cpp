@@ -101,7 +101,8 @@ Animation ClipFitter::clip(std::string name, double start, double end, const Mot
 
 void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& animation) {
     const double start = animation.startSeconds, end = animation.endSeconds;
-    const std::size_t limit = context_.options.limits.maxKeyFrames;
+    // One more than allowed, to tell a channel that needs as many from one that needs more.
+    const std::size_t limit = std::min<std::uint64_t>(context_.options.limits.maxKeyFrames, 1u << 30) + 1;
     spare_ = kSpareKeys;
     const auto spend = [&](std::size_t keys, std::size_t knots) {
         spare_ -= std::min(spare_, keys - std::min(keys, knots));
@@ -136,7 +137,7 @@ void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& an
 
 void ClipFitter::count(std::size_t keys) {
     keys_ += keys;
-    context_.require(keys_, context_.options.limits.maxKeyFrames, "number of keyframes", collada_);
+    context_.require(keys_, &LoadLimits::maxKeyFrames, collada_);
 }
 
 }  // namespace walkcycle

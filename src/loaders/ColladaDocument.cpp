@@ -5,7 +5,7 @@
 #include <tinyxml2.h>
 
 #include "io/TextEncoding.h"
-#include "loaders/Diagnostics.h"
+#include "loaders/LimitCheck.h"
 #include "loaders/Markup.h"
 
 namespace walkcycle {
@@ -96,12 +96,12 @@ tinyxml2::XMLElement* nextInDocument(tinyxml2::XMLElement* element) {
 ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits,
                                  Diagnostics& diagnostics)
     : file_(std::move(file)), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
-    if (bytes.size() > limits.maxFileBytes)
-        diagnostics.fail(Code::LimitExceeded, file_, 0,
-                         {"file size", std::to_string(bytes.size()), std::to_string(limits.maxFileBytes)});
+    requireWithin(limits, &LoadLimits::maxFileBytes, bytes.size(), file_, 0, diagnostics);
     text_ = decode(std::move(bytes), file_, diagnostics);
     refuseTricks(text_, file_, diagnostics);
     dropInstructions(text_);
+    requireFewElements(text_, file_, limits, diagnostics);
+    const std::size_t length = text_.size();
     parse(diagnostics);
     root_ = XmlNode(xml_->RootElement(), this);
     if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
@@ -109,7 +109,8 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
         diagnostics.fail(Code::NotXml, second,
                          {"a second root element, <" + std::string(second.name()) + ">"});
     if (!root_.is("COLLADA")) diagnostics.fail(Code::NotCollada, root_, {std::string(root_.name())});
-    indexIds(diagnostics, limits);
+    requireModestElements(root_, length, limits, diagnostics);
+    indexIds(diagnostics);
 }
 
 ColladaDocument::~ColladaDocument() = default;
@@ -124,7 +125,8 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
     }
     xml_->Parse(text_.data(), text_.size());
     if (xml_->ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
-        diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(), {});
+        diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(),
+                         {std::to_string(limitInfo(&LoadLimits::maxNesting).most)});
     if (xml_->Error())
         diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
     text_ = std::string();  // the DOM holds it all
@@ -144,13 +146,8 @@ bool ColladaDocument::placeNumberText() {
     return next == cutTexts_.size();
 }
 
-void ColladaDocument::indexIds(Diagnostics& diagnostics, const LoadLimits& limits) {
-    std::uint64_t elements = 0;
+void ColladaDocument::indexIds(Diagnostics& diagnostics) {
     for (auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
-        if (++elements > limits.maxElements)
-            diagnostics.fail(
-                Code::LimitExceeded, XmlNode(element, this),
-                {"number of elements", std::to_string(elements), std::to_string(limits.maxElements)});
         const char* id = element->Attribute("id");
         if (!id || !*id) continue;
         const auto [first, isNew] = byId_.try_emplace(id, element);

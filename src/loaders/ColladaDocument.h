@@ -33,7 +33,7 @@ public:
 private:
     void parse(Diagnostics& diagnostics);
     bool placeNumberText();
-    void indexIds(Diagnostics& diagnostics, const LoadLimits& limits);
+    void indexIds(Diagnostics& diagnostics);
 
     std::string file_;
     std::string text_;                                 // UTF-8; what the cut-out texts are views of

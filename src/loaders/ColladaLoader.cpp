@@ -1,5 +1,7 @@
 #include "loaders/ColladaLoader.h"
 
+#include <algorithm>
+
 #include <tinyxml2.h>
 
 #include "loaders/AnimationLoader.h"
@@ -55,11 +57,10 @@ public:
         if (!geometry) return;
         if (!instance.deformers.empty()) meshes_.willDeform(geometry);
         const MeshData& mesh = meshes_.load(geometry).mesh;
-        vertices_ += mesh.vertexCount() + mesh.parts.size();  // a part without vertices costs memory as well
-        const LoadLimits& limits = context_.options.limits;
-        context_.require(vertices_, limits.maxVertices, "number of vertices", source.element);
-        context_.require(model_.instances.size() + 1, limits.maxInstances, "number of drawn meshes",
-                         source.element);
+        vertices_ += mesh.vertexCount();
+        parts_ += std::max<std::size_t>(1, mesh.parts.size());
+        context_.require(vertices_, &LoadLimits::maxVertices, source.element);
+        context_.require(parts_, &LoadLimits::maxInstances, source.element);
         instance.mesh = meshes_.drawn(geometry);
         instance.materials = materials_.bind(source.element, mesh);
         model_.instances.push_back(std::move(instance));
@@ -71,7 +72,7 @@ private:
     ControllerLoader& controllers_;
     MaterialLoader& materials_;
     Model& model_;
-    std::uint64_t vertices_ = 0;
+    std::uint64_t vertices_ = 0, parts_ = 0;
 };
 
 void report(const LoadContext& context, double done) {
@@ -118,7 +119,7 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
 
 template <typename Open>
 Model load(const std::string& file, const LoadOptions& options, Open open) {
-    Diagnostics diagnostics;
+    Diagnostics diagnostics(options.limits.maxMessages);
     DocumentSet documents(options, diagnostics);
     SourceReader sources(documents, diagnostics);
     const LoadContext context{options, diagnostics, documents, sources};

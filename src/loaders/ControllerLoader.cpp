@@ -67,13 +67,14 @@ XmlNode ControllerLoader::load(const SceneGraph::Instance& source, MeshInstance&
 bool ControllerLoader::skin(XmlNode controller, XmlNode geometry, const SceneGraph::Instance& source,
                             Deformer& deformer) {
     auto& [usable, data] = skins_[controller];
-    if (!data.skin)
+    if (!data.skin) {
+        meshes_.countPositions(meshes_.load(geometry).mesh.positions.size(), controller);
         usable = loadSkin(controller.child("skin"), meshes_.load(geometry).mesh.positions.size(), context_,
                           model_, data);
+    }
     if (!usable) return false;
     boundJoints_ += data.jointNames.size() + 1;
-    context_.require(boundJoints_, context_.options.limits.maxSkinJoints, "number of joints of all skins",
-                     source.element);
+    context_.require(boundJoints_, &LoadLimits::maxSkinJoints, source.element);
     deformer.index = static_cast<int>(model_.skins.size());
     deformer.influences = data.influences;
     model_.skins.push_back(bindSkin(data, source, joints_, skeletons_.scene(), context_, model_.asset));
@@ -147,9 +148,7 @@ void ControllerLoader::addTargets(const NameSource& names, XmlNode geometry, Mor
             context_.diagnostics.report(Code::UnresolvedReference, names.array,
                                         {std::string(names.array.name()), name},
                                         ++missing <= kMostLinesLookedFor ? names.lineOf(t) : 0);
-        morphedPositions_ += wanted;
-        context_.require(morphedPositions_, context_.options.limits.maxVertices,
-                         "number of morphed positions", names.array);
+        meshes_.countPositions(wanted, names.array);
         const LoadedMesh& shape = target ? meshes_.load(target) : kNothing;
         if (target && shape.mesh.positions.size() < wanted)
             context_.diagnostics.report(Code::MorphTargetShort, target,

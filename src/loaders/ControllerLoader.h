@@ -40,7 +40,7 @@ private:
     Model& model_;
     AnimationTargets& targets_;
     std::unordered_map<XmlNode, std::pair<bool, SkinData>> skins_;
-    std::uint64_t morphedPositions_ = 0, boundJoints_ = 0;
+    std::uint64_t boundJoints_ = 0;
 };
 
 }  // namespace walkcycle

@@ -23,8 +23,6 @@ constexpr CodeInfo kCatalogue[] = {
 constexpr int kKeptPerKind = 3;
 // So many of one code, whatever the elements are called, are a picture of the whole.
 constexpr int kKeptPerCode = 12;
-// After so many, all elements count as being of one name.
-constexpr std::size_t kKeptOfAllKinds = 1000;
 constexpr std::size_t kLongestArgument = 200;
 
 bool continuesCharacter(char c) {
@@ -51,7 +49,7 @@ Diagnostic make(Severity severity, Code code, Diagnostics::Arguments arguments) 
     diagnostic.severity = severity;
     diagnostic.code = entry.id;
     diagnostic.message = fillIn(entry.text, arguments);
-    diagnostic.cure = entry.cure;
+    diagnostic.cure = fillIn(entry.cure, arguments);
     return diagnostic;
 }
 
@@ -79,7 +77,7 @@ LoadError::LoadError(std::vector<Diagnostic> all)
 
 void Diagnostics::add(Diagnostic diagnostic, std::string elementName) {
     int& kept = keptOfCode_[{diagnostic.file, diagnostic.code}];
-    if (all_.size() >= kKeptOfAllKinds || kept >= kKeptPerCode) elementName.clear();
+    if (all_.size() >= mostMessages_ || kept >= kKeptPerCode) elementName.clear();
     auto& [count, lastIndex] = seen_[{diagnostic.file, diagnostic.code, elementName}];
     if (++count > kKeptPerKind) {
         ++all_[lastIndex].repeats;

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "loaders/LoadLimits.h"
 #include "model/Diagnostic.h"
 
 namespace walkcycle {
@@ -58,6 +59,10 @@ class Diagnostics {
 public:
     using Arguments = std::initializer_list<std::string>;
 
+    // After so many messages, all elements count as being of one name.
+    explicit Diagnostics(std::uint64_t mostMessages = LoadLimits{}.maxMessages)
+        : mostMessages_(mostMessages) {}
+
     // `where` gives file, line and element path; `line` overrides the element's own line where it is known better.
     void report(Code code, const XmlNode& where, Arguments arguments, int line = 0);
     void report(Severity severity, Code code, const XmlNode& where, Arguments arguments, int line = 0);
@@ -76,6 +81,7 @@ private:
 
     [[noreturn]] void giveUp(Diagnostic reason);
 
+    std::uint64_t mostMessages_;
     std::vector<Diagnostic> all_;
     std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>>
         seen_;                                                       // file, code, element

@@ -3,8 +3,8 @@
 
 #include "io/Uri.h"
 #include "loaders/ColladaDocument.h"
-#include "loaders/Diagnostics.h"
 #include "loaders/KnownElements.h"
+#include "loaders/LimitCheck.h"
 #include "loaders/Surroundings.h"
 
 namespace walkcycle {
@@ -30,18 +30,18 @@ struct DocumentSet::Impl {
     }
 
     const ColladaDocument& addRoot(Bytes bytes, const std::string& file) {
-        if (bytes.size() > options.limits.maxFileBytes)
-            diagnostics.fail(
-                Code::LimitExceeded, file, 0,
-                {"file size", std::to_string(bytes.size()), std::to_string(options.limits.maxFileBytes)});
+        requireWithin(options.limits, &LoadLimits::maxFileBytes, bytes.size(), file, 0, diagnostics);
         try {
-            if (looksLikeGzip(bytes)) return add(gunzip(bytes, options.limits.archive), file);
+            if (looksLikeGzip(bytes)) return add(gunzip(bytes, options.limits.archive()), file);
             if (!looksLikeZip(bytes)) return add(std::move(bytes), file);
-            Archive archive(std::move(bytes), options.limits.archive);
+            Archive archive(std::move(bytes), options.limits.archive());
             const std::string member = archive.rootDocument();
             Bytes document = archive.read(member);
             surroundings.useArchive(std::move(archive));
             return add(std::move(document), member);
+        } catch (const ArchiveTooLarge& error) {
+            requireWithin(options.limits, limitOf(error), error.amount, file, 0, diagnostics);
+            throw;
         } catch (const ArchiveError& error) {
             diagnostics.fail(Code::ArchiveBroken, file, 1, {error.what()});
         }
@@ -67,10 +67,7 @@ struct DocumentSet::Impl {
         const fs::path full = (ownFile.parent_path() / path).lexically_normal();
         if (const auto known = documents.find(full.string()); known != documents.end())
             return known->second.get();
-        if (documents.size() > options.limits.maxDocuments)
-            diagnostics.fail(Code::LimitExceeded, from,
-                             {"number of documents", std::to_string(documents.size()),
-                              std::to_string(options.limits.maxDocuments)});
+        requireWithin(options.limits, &LoadLimits::maxDocuments, documents.size(), from, diagnostics);
         documents[full.string()] = nullptr;
         return open(from, full, unopened);
     }
@@ -84,6 +81,8 @@ struct DocumentSet::Impl {
         } catch (
             const LoadError& error) {  // what is wrong in it has been reported with its own file and line
             reason = error.diagnostics.back().message;
+        } catch (const FileTooLarge& error) {
+            reason = limitText(error.amount, options.limits, &LoadLimits::maxFileBytes);
         } catch (const std::runtime_error& error) {  // FileError, ArchiveError
             reason = error.what();
         }
@@ -101,6 +100,10 @@ const ColladaDocument& DocumentSet::openFile(const std::string& path) {
     Bytes bytes;
     try {
         bytes = readFile(path, impl_->options.limits.maxFileBytes);
+    } catch (const FileTooLarge& error) {
+        requireWithin(impl_->options.limits, &LoadLimits::maxFileBytes, error.amount, path, 0,
+                      impl_->diagnostics);
+        throw;
     } catch (const FileError& error) {
         impl_->diagnostics.fail(Code::FileUnreadable, path, 0, {error.what()});
     }

@@ -1,11 +1,12 @@
 #include "loaders/LoadContext.h"
 
+#include "loaders/LimitCheck.h"
+
 namespace walkcycle {
 
-void LoadContext::require(std::uint64_t amount, std::uint64_t limit, const char* what,
+void LoadContext::require(std::uint64_t amount, std::uint64_t LoadLimits::*limit,
                           const XmlNode& where) const {
-    if (amount > limit)
-        diagnostics.fail(Code::LimitExceeded, where, {what, std::to_string(amount), std::to_string(limit)});
+    requireWithin(options.limits, limit, amount, where, diagnostics);
 }
 
 void LoadContext::checkCancelled(const XmlNode& where) const {

@@ -14,8 +14,8 @@ struct LoadContext {
     DocumentSet& documents;
     SourceReader& sources;
 
-    // Throws LoadError WC0801 where `amount` is over `limit`.
-    void require(std::uint64_t amount, std::uint64_t limit, const char* what, const XmlNode& where) const;
+    // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).
+    void require(std::uint64_t amount, std::uint64_t LoadLimits::*limit, const XmlNode& where) const;
     void checkCancelled(const XmlNode& where) const;
 };
 

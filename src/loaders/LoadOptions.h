@@ -6,29 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "io/Archive.h"
 #include "io/File.h"
-#include "io/Image.h"
+#include "loaders/LoadLimits.h"
 #include "model/Model.h"
 
 namespace walkcycle {
 
 struct Inspection;
-
-// What a load may cost. Honest files of 150 MB fit; each is named in the message that it raises.
-struct LoadLimits {
-    std::uint64_t maxFileBytes = std::uint64_t{1} << 30;
-    std::uint64_t maxElements = 20'000'000;   // XML elements of one document
-    std::uint64_t maxNodes = 200'000;         // scene nodes, instances of instance_node counted each time
-    std::uint64_t maxInstances = 100'000;     // drawn meshes
-    std::uint64_t maxVertices = 100'000'000;  // of all drawn meshes together
-    std::uint64_t maxSkinJoints = 5'000'000;  // of all instances of skins together
-    std::uint64_t maxInfluencesPerVertex = 1024;
-    std::uint64_t maxKeyFrames = 20'000'000;  // made by the loader
-    std::uint64_t maxDocuments = 256;         // other documents that this one refers to
-    ImageLimits image;
-    ArchiveLimits archive;
-};
 
 // Whether an instance_controller's node moves its skin (see docs/collada-notes.md).
 enum class SkinNode { Auto, Apply, Ignore };

@@ -58,9 +58,15 @@ const LoadedMesh& MeshLibrary::load(XmlNode geometry) {
     if (slot) return *slot;
     context_.checkCancelled(geometry);
     slot = std::make_unique<LoadedMesh>(loadGeometry(geometry, context_));
+    countPositions(slot->mesh.positions.size(), geometry);
     const glm::dmat4 conversion = assetConversion(geometry, rootCollada_, asset_, rootCollada_);
     if (conversion != glm::dmat4(1.0)) convert(*slot, glm::mat4(conversion));
     return *slot;
+}
+
+void MeshLibrary::countPositions(std::size_t count, XmlNode where) {
+    positions_ += count;
+    context_.require(positions_, &LoadLimits::maxPositions, where);
 }
 
 void MeshLibrary::willDeform(XmlNode geometry) {

@@ -20,6 +20,9 @@ public:
     // To be told of each mesh that something deforms: where the file has no normals, those of the new shape are made.
     void willDeform(XmlNode geometry);
 
+    // Meshes, and what is made for each of their positions, cost memory that one source shared by many can multiply.
+    void countPositions(std::size_t count, XmlNode where);
+
     // Its index in Model::meshes, where moveInto puts it: the meshes that are drawn, not those only morphed to.
     int drawn(XmlNode geometry);
     void moveInto(Model& model);
@@ -31,6 +34,7 @@ private:
     std::unordered_map<XmlNode, std::unique_ptr<LoadedMesh>> meshes_;
     std::unordered_map<XmlNode, int> indices_;
     std::vector<LoadedMesh*> drawn_;
+    std::uint64_t positions_ = 0;
 };
 
 }  // namespace walkcycle

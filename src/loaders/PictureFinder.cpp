@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/Uri.h"
+#include "loaders/LimitCheck.h"
 #include "loaders/Surroundings.h"
 
 namespace walkcycle {
@@ -17,8 +18,11 @@ constexpr std::array kUsualFolders = {"textures", "Textures", "texture", "Textur
                                       "maps",     "Maps",     "tex",     "materials/textures"};
 constexpr std::array kPictureEndings = {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".gif", ".psd", ".webp"};
 
-// How many pictures of the largest allowed size may be held at once.
-constexpr std::int64_t kMostPicturesOfFullSize = 4;
+// Each picture is within its limits, but not all of them together.
+struct PicturesTooLarge : std::runtime_error {
+    explicit PicturesTooLarge(std::uint64_t pixels) : std::runtime_error("too many pixels"), amount(pixels) {}
+    std::uint64_t amount;
+};
 
 bool isDrivePath(const std::string& path) {
     return path.size() > 1 && path[1] == ':';
@@ -169,6 +173,10 @@ std::optional<PictureFinder::File> PictureFinder::read(XmlNode where, const std:
         const std::string normal = fs::path(path).lexically_normal().string();
         if (std::optional<Bytes> bytes = context_.documents.readBeside(where, normal, found))
             return File{std::move(found), std::move(*bytes)};
+    } catch (const FileTooLarge& error) {
+        context_.diagnostics.report(
+            Code::PictureUnreadable, where,
+            {path, limitText(error.amount, context_.options.limits, &LoadLimits::maxFileBytes)});
     } catch (const FileError& error) {
         context_.diagnostics.report(Code::PictureUnreadable, where, {path, error.what()});
     } catch (const ArchiveError& error) {
@@ -188,36 +196,45 @@ bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
 
 // Small files can hold large pictures, and a document can name many of them.
 std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const Bytes& bytes) {
-    const ImageLimits& limits = context_.options.limits.image;
-    auto image = std::make_shared<const Image>(decodeImage(bytes, limits));
-    const std::int64_t pixels = std::int64_t{image->width} * image->height;
-    if (pixels_ + pixels > kMostPicturesOfFullSize * limits.maxPixels)
-        throw ImageError("all pictures together have more pixels than the limits allow");
+    const LoadLimits& limits = context_.options.limits;
+    auto image = std::make_shared<const Image>(decodeImage(bytes, limits.image()));
+    const auto pixels = static_cast<std::uint64_t>(std::int64_t{image->width} * image->height);
+    if (pixels_ + pixels > limits.maxTotalPixels) throw PicturesTooLarge(pixels_ + pixels);
     pixels_ += pixels;
     return image;
 }
 
 PictureFinder::Picture PictureFinder::decode(XmlNode where, const std::string& name, File file) {
-    Picture picture{file.path, nullptr};
     const auto known = images_.find(file.path);
     if (known != images_.end()) return {file.path, known->second};
-    std::string fault;
-    if (!context_.options.loadImages) {
-        if (!looksLikePicture(file.bytes, file.path)) fault = "it does not begin as any kind of picture does";
-    } else {
-        try {
-            picture.image = decodeWithinLimits(file.bytes);
-        } catch (const ImageError& error) {
-            fault = error.what();
-        }
+    std::shared_ptr<const Image>& image = images_[file.path];
+    const auto tooLarge = [&](std::uint64_t amount, std::uint64_t LoadLimits::*limit) {
+        const LimitWords words(amount, context_.options.limits, limit);
+        report(Code::PictureOverLimit, where, file.path,
+               {name, words.amount, words.unit, words.name, words.value});
+    };
+    try {
+        if (context_.options.loadImages)
+            image = decodeWithinLimits(file.bytes);
+        else if (!looksLikePicture(file.bytes, file.path))
+            throw ImageError("it does not begin as any kind of picture does");
+    } catch (const PicturesTooLarge& error) {
+        tooLarge(error.amount, &LoadLimits::maxTotalPixels);
+    } catch (const ImageTooLarge& error) {
+        tooLarge(error.amount, limitOf(error));
+    } catch (const ImageError& error) {
+        report(Code::PictureBroken, where, file.path, {name, error.what()});
     }
-    images_[file.path] = picture.image;
-    if (fault.empty()) return picture;
+    return {file.path, image};
+}
+
+// At the element that names the picture; the user's own has none.
+void PictureFinder::report(Code code, XmlNode where, const std::string& path,
+                           Diagnostics::Arguments arguments) {
     if (where)
-        context_.diagnostics.report(Code::PictureBroken, where, {name, fault});
+        context_.diagnostics.report(code, where, arguments);
     else
-        context_.diagnostics.report(Code::PictureBroken, file.path, 0, {name, fault});
-    return picture;
+        context_.diagnostics.report(code, path, 0, arguments);
 }
 
 }  // namespace walkcycle

@@ -45,12 +45,13 @@ private:
     bool mayBeInside(XmlNode where, const std::string& path) const;
     Picture decode(XmlNode where, const std::string& name, File file);
     std::shared_ptr<const Image> decodeWithinLimits(const Bytes& bytes);
+    void report(Code code, XmlNode where, const std::string& path, Diagnostics::Arguments arguments);
 
     const LoadContext& context_;
     std::map<std::pair<std::string, std::string>, Picture> pictures_;  // by document and URI
     std::map<std::string, std::shared_ptr<const Image>> images_;       // by path
     int guesses_ = 0;
-    std::int64_t pixels_ = 0;  // of all pictures together
+    std::uint64_t pixels_ = 0;  // of all pictures together
 };
 
 }  // namespace walkcycle

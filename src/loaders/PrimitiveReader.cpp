@@ -171,6 +171,7 @@ private:
         for (XmlNode h : ph.children("h")) {
             const std::size_t first = out_.cornerCount();
             const std::size_t corners = appendCorners(h);
+            countCorners(corners);
             if (corners >= 3)
                 addRing(first, corners, true);
             else
@@ -202,6 +203,8 @@ private:
     }
 
     bool addFace(XmlNode from, std::size_t first, std::size_t corners) {
+        polygonCorners_ = 0;
+        countCorners(corners);
         if (corners >= 3)
             addRing(first, corners, false);
         else
@@ -211,6 +214,11 @@ private:
 
     void skip(XmlNode tooSmall) {
         if (++tooSmall_ == 1) firstTooSmall_ = tooSmall;
+    }
+
+    void countCorners(std::size_t corners) {
+        polygonCorners_ += corners;
+        context_.require(polygonCorners_, &LoadLimits::maxPolygonCorners, out_.element);
     }
 
     void addRing(std::size_t first, std::size_t corners, bool hole) {
@@ -238,7 +246,8 @@ private:
     PrimitiveCorners out_;
     std::uint64_t held_ = 0;  // faces, fans, strips or lines in the file
     std::size_t tooSmall_ = 0;
-    XmlNode firstTooSmall_;  // what said so
+    XmlNode firstTooSmall_;             // what said so
+    std::uint64_t polygonCorners_ = 0;  // of the current one, with its holes
     std::string joined_;
     std::vector<NumberFault> faults_;
     std::vector<std::int32_t> strip_;

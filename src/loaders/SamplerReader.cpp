@@ -147,6 +147,8 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
             Code::SamplerKeyMismatch, sampler,
             {samplerName(sampler), std::to_string(times->count()), std::to_string(valueCount)});
     const std::size_t count = std::min(times->count(), valueCount);
+    keyNumbers_ += count * (keys.width + 1);
+    context_.require(keyNumbers_, &LoadLimits::maxKeyNumbers, sampler);
     for (std::size_t i = 0; i < count; ++i) keys.times.push_back((*times)[i][0]);
     keys.values.assign(values->values.begin(),
                        values->values.begin() + static_cast<std::ptrdiff_t>(count * keys.width));

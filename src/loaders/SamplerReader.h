@@ -28,6 +28,7 @@ private:
     const LoadContext& context_;
     std::unordered_map<XmlNode, int> read_;
     std::vector<Curve> curves_;
+    std::uint64_t keyNumbers_ = 0;
 };
 
 // What messages call a sampler: its id, or that of the <animation> around it.

@@ -27,13 +27,20 @@ void SkeletonLoader::add(const Visit& root, bool drawn) {
     while (!waiting.empty()) {
         const Visit visit = waiting.back();
         waiting.pop_back();
+        if (visit.instanced) countInstanced(visit.node);
+        context_.require(scene_.nodes.size() + 1 + waiting.size(), &LoadLimits::maxNodes, visit.node);
         const int joint = addJoint(visit, drawn);
         if (drawn) addInstances(visit.node, joint);
-        const std::vector<Visit> children = childrenOf(visit.node, joint);
+        const std::vector<Visit> children = childrenOf(visit, joint);
         waiting.insert(waiting.end(), children.rbegin(), children.rend());
-        context_.require(scene_.nodes.size() + waiting.size(), context_.options.limits.maxNodes,
-                         "number of scene nodes", visit.node);
     }
+}
+
+// What the file holds once and the scene many times: the node with its transforms and instances.
+void SkeletonLoader::countInstanced(XmlNode node) {
+    ++instancedElements_;
+    for (XmlNode child = node.firstChild(); child; child = child.nextSibling()) ++instancedElements_;
+    context_.require(instancedElements_, &LoadLimits::maxInstancedElements, node);
 }
 
 // Whether the joint's own and its model transform are made of numbers that a float holds with room for one more product.
@@ -89,17 +96,18 @@ void SkeletonLoader::addInstances(XmlNode node, int joint) {
     }
 }
 
-std::vector<SkeletonLoader::Visit> SkeletonLoader::childrenOf(XmlNode node, int joint) {
+std::vector<SkeletonLoader::Visit> SkeletonLoader::childrenOf(const Visit& visit, int joint) {
+    const XmlNode node = visit.node;
     std::vector<Visit> children;
     for (XmlNode element : node.children()) {
-        if (element.is("node")) children.push_back({element, joint, node});
+        if (element.is("node")) children.push_back({element, joint, node, visit.instanced});
         if (!element.is("instance_node")) continue;
         const XmlNode target = context_.documents.follow(element, "url", "node");
         if (target && isInside(target, joint))
             context_.diagnostics.report(Code::ReferenceLoop, element,
                                         {"instance_node", std::string(element.attribute("url"))});
         else if (target)
-            children.push_back({target, joint, node});
+            children.push_back({target, joint, node, true});
     }
     return children;
 }

@@ -27,18 +27,21 @@ private:
         XmlNode node;
         int parent;
         XmlNode around;  // the element whose space the node's parent is in
+        bool instanced = false;
     };
     void add(const Visit& root, bool drawn);
     int addJoint(const Visit& visit, bool drawn);
     bool reachesWorld(const Joint& joint);
     void addInstances(XmlNode node, int joint);
-    std::vector<Visit> childrenOf(XmlNode node, int joint);
+    std::vector<Visit> childrenOf(const Visit& visit, int joint);
+    void countInstanced(XmlNode node);
     bool isInside(XmlNode node, int joint) const;
 
     const LoadContext& context_;
     const Asset& asset_;
     XmlNode rootCollada_;
     SceneGraph scene_;
+    std::uint64_t instancedElements_ = 0;
     std::vector<glm::dmat4> worlds_;  // per joint: its model transform at rest
 };
 

@@ -1,6 +1,12 @@
 #include "loaders/Surroundings.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <new>
+
+#include <dirent.h>
+#include <sys/stat.h>
 
 #include "loaders/Diagnostics.h"
 
@@ -8,7 +14,9 @@ namespace walkcycle {
 namespace fs = std::filesystem;
 namespace {
 
+// A folder that cannot be told has nothing inside.
 bool isInside(const fs::path& path, const fs::path& folder) {
+    if (folder.empty()) return false;
     const auto end = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first;
     return end == folder.end() || (std::next(end) == folder.end() && end->empty());
 }
@@ -30,12 +38,15 @@ std::vector<std::string> namesIn(const Archive& archive, const fs::path& folder)
     return names;
 }
 
+// Not the iterator of std::filesystem: GCC 12's ends the program where memory runs out.
 std::vector<std::string> namesIn(const fs::path& folder) {
+    const std::unique_ptr<DIR, int (*)(DIR*)> directory(::opendir(folder.c_str()), ::closedir);
+    if (!directory && errno == ENOMEM) throw std::bad_alloc();
     std::vector<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-        std::error_code ignored;
-        if (it->is_regular_file(ignored)) names.push_back(it->path().filename().string());
+    while (const dirent* entry = directory ? ::readdir(directory.get()) : nullptr) {
+        struct stat status {};
+        if (::fstatat(::dirfd(directory.get()), entry->d_name, &status, 0) == 0 && S_ISREG(status.st_mode))
+            names.emplace_back(entry->d_name);
     }
     return names;
 }

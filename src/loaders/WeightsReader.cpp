@@ -171,8 +171,7 @@ std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, 
     for (const std::int32_t count : counts) {
         if (usable.size() == positionCount) break;
         const auto wanted = static_cast<std::size_t>(std::max(0, count));
-        context.require(wanted, context.options.limits.maxInfluencesPerVertex, "influences of a vertex",
-                        element);
+        context.require(wanted, &LoadLimits::maxInfluencesPerVertex, element);
         if (count < 0 || wanted > groups - used) {
             context.diagnostics.report(
                 Code::CountMismatch, element ? element : vertexWeights,

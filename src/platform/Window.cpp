@@ -7,6 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "platform/DisplayLoss.h"
 #include "platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
@@ -24,6 +25,7 @@ void startGlfw() {
     if (windowsOpen == 0 && !glfwInit())
         throw NoGraphicsDevice("no display to open a window on: " + lastError());
     ++windowsOpen;
+    watchDisplay();
 }
 
 void stopGlfw() {

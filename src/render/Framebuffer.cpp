@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "render/GraphicsError.h"
 #include "render/Srgb.h"
 
 namespace walkcycle {
@@ -56,8 +57,8 @@ void attach(GLenum attachment, GLuint renderbuffer) {
 void requireComplete(int width, int height) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR)
         return;
-    throw std::runtime_error("the graphics driver has no room for a picture of " + std::to_string(width) +
-                             " by " + std::to_string(height));
+    throw GraphicsError("the graphics driver has no room for a picture of " + std::to_string(width) + " by " +
+                        std::to_string(height));
 }
 
 // Drawn and blended colours are premultiplied with their alpha, in linear light; files want them straight.

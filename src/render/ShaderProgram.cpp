@@ -1,8 +1,8 @@
 #include "render/ShaderProgram.h"
 
 #include <cassert>
-#include <stdexcept>
 
+#include "render/GraphicsError.h"
 #include "render/ShaderSource.h"
 
 namespace walkcycle {
@@ -32,7 +32,7 @@ Shader compile(GLenum stage, std::initializer_list<std::string_view> names, cons
     GLsizei length = 0;
     glGetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    throw std::runtime_error("shader " + std::string(*names.begin()) + " does not compile: " + log);
+    throw GraphicsError("shader " + std::string(*names.begin()) + " does not compile: " + log);
 }
 
 void link(GLuint program) {
@@ -44,7 +44,7 @@ void link(GLuint program) {
     GLsizei length = 0;
     glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    throw std::runtime_error("shader program does not link: " + log);
+    throw GraphicsError("shader program does not link: " + log);
 }
 
 }  // namespace

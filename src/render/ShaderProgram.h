@@ -24,7 +24,7 @@ public:
     };
 
     // `captured` are outputs of the vertex shader that transform feedback writes, interleaved. Throws
-    // std::runtime_error with the compiler's words: a broken promise of ours or of the driver, never of a
+    // GraphicsError with the compiler's words: a broken promise of ours or of the driver, never of a
     // file.
     explicit ShaderProgram(const Stages& stages, const std::string& defines = {},
                            std::span<const char* const> captured = {});

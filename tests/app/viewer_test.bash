@@ -100,4 +100,15 @@ status=0
 wait "$viewer" || status=$?
 [ $status = 0 ] || fail "the viewer ended with exit code $status"
 viewer=
-echo "played, paused, stepped, drew the skeleton, was resized, and closed"
+# A display that goes away under the window is an error of its own, not a hang.
+"$walkcycle" view "$document" >"$work/viewer.log" 2>&1 &
+viewer=$!
+until_true 60 shows_a_window || fail "nothing appears on the screen the second time"
+kill -KILL "$server"
+until_true 20 has_ended || fail "the viewer goes on without a display"
+status=0
+wait "$viewer" || status=$?
+viewer= server=
+[ $status = 3 ] || fail "without its display, the viewer ended with exit code $status"
+[ "$(cat "$work/viewer.log")" = "walkcycle: error: the display is gone" ] || fail "it does not say that the display is gone"
+echo "played, paused, stepped, drew the skeleton, was resized, closed, and lost its display"

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "DiagnosticsPage.h"
+#include "LimitsPage.h"
 #include "SourceTree.h"
 
 using namespace walkcycle::house;
@@ -51,6 +52,12 @@ TEST(DocsTest, thePageOnCheckingNamesEveryRuleOfAProfile) {
     const auto codes = allMatches(rules, std::regex("### (WC10[0-9]{2}) "));
     EXPECT_FALSE(codes.empty());
     for (const std::string& code : codes) EXPECT_NE(page.find("| " + code + " |"), std::string::npos) << code;
+}
+
+TEST(DocsTest, limitsPageIsWhatTheHeaderSays) {
+    const auto file = root() / "docs/limits.md";
+    if (updatesDocs()) writeText(file, limitsPage());
+    EXPECT_EQ(readText(file), limitsPage()) << "run the tests with UPDATE_DOCS=1";
 }
 
 TEST(DocsTest, everyLinkWithinTheDocsLeadsToAFile) {

@@ -122,25 +122,5 @@ TEST(ColladaDocumentTest, textThatIsNotWhatItClaimsIsReadAsWindows1252WithAWarni
     EXPECT_THAT(codes(load.diagnostics.all()), testing::ElementsAre("WC0113"));
 }
 
-TEST(ColladaDocumentTest, theFileSizeLimitHoldsAtItsByte) {
-    const std::string text = "<COLLADA/>";
-    LoadLimits limits;
-    for (const std::uint64_t limit : {text.size() + 1, text.size()}) {
-        limits.maxFileBytes = limit;
-        EXPECT_EQ(refusal(text, limits).code, "");
-    }
-    limits.maxFileBytes = text.size() - 1;
-    EXPECT_EQ(refusal(text, limits).code, "WC0801");
-    EXPECT_THAT(refusal(text, limits).message, HasSubstr("10 is over the limit of 9"));
-}
-
-TEST(ColladaDocumentTest, theElementLimitHoldsAtItsElement) {
-    LoadLimits limits;
-    limits.maxElements = 5;
-    EXPECT_EQ(refusal(nested(4), limits).code, "");
-    EXPECT_EQ(refusal(nested(5), limits).code, "");
-    EXPECT_THAT(refusal(nested(6), limits), says("WC0801", 6, "COLLADA/node/node/node/node/node"));
-}
-
 }  // namespace
 }  // namespace walkcycle

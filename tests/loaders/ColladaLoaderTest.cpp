@@ -227,9 +227,9 @@ TEST(ColladaLoaderTest, theLimitOfVerticesCountsEveryInstance) {
     const std::string text = collada(
         triangle() + scene("<node><instance_geometry url='#mesh'/><instance_geometry url='#mesh'/></node>"));
     LoadOptions options;
-    options.limits.maxVertices = 8;  // two times three vertices and a part
+    options.limits.maxVertices = 6;
     EXPECT_EQ(loadText(text, options).instances.size(), 2u);
-    options.limits.maxVertices = 7;
+    options.limits.maxVertices = 5;
     EXPECT_EQ(whyNot(text, options).code, "WC0801");
 }
 

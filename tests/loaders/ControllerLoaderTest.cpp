@@ -157,11 +157,11 @@ TEST(ControllerLoaderTest, aSkinOfNothingIsAnErrorInItsLine) {
 
 TEST(ControllerLoaderTest, theLimitOfMorphedPositionsHolds) {
     LoadOptions options;
-    options.limits.maxVertices = 6;
+    options.limits.maxPositions = 15;  // of three meshes, and of two targets
     const std::string text =
         collada(kMeshes + controllers(morph("smile", "#mesh", "high wide", "1 1")) + scene(nodes("#smile")));
     EXPECT_NO_THROW(loadText(text, options));
-    options.limits.maxVertices = 5;
+    options.limits.maxPositions = 14;
     EXPECT_EQ(whyNot(text, options).code, "WC0801");
 }
 

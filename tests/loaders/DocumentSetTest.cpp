@@ -206,12 +206,12 @@ TEST(DocumentSetTest, membersOfAnArchiveReferToEachOther) {
 
 TEST(DocumentSetTest, anArchiveLargerThanItsLimitsIsRefused) {
     LoadOptions options;
-    options.limits.archive.maxTotalBytes = here("a").size() - 1;
+    options.limits.maxArchiveBytes = here("a").size() - 1;
     Diagnostics diagnostics;
     DocumentSet documents(options, diagnostics);
     EXPECT_THROW(documents.openMemory(zipOf({{"a.dae", here("a")}}), "test.zae"), LoadError);
     EXPECT_THROW(documents.openMemory(gzipOf(here("a")), "test.dae.gz"), LoadError);
-    EXPECT_THAT(codes(diagnostics.all()), ElementsAre("WC0109", "WC0109"));
+    EXPECT_THAT(codes(diagnostics.all()), ElementsAre("WC0801", "WC0801"));
 }
 
 }  // namespace

@@ -173,15 +173,15 @@ TEST_F(PictureFinderTest, oneFileIsDecodedOnceHoweverItIsWritten) {
     EXPECT_EQ(search.find("skin.png").image, search.find("./skin.png").image);
 }
 
-TEST_F(PictureFinderTest, manyPicturesAreNotMoreThanFourOfTheLargest) {
+TEST_F(PictureFinderTest, manyPicturesAreNotMoreThanTheirLimitTogether) {
     LoadOptions options;
-    options.limits.image.maxPixels = 1;
+    options.limits.maxTotalPixels = 4;
     for (const char* name : {"1.png", "2.png", "3.png", "4.png", "5.png"}) put(name);
     Search search(document(), options);
 
     for (const char* name : {"1.png", "2.png", "3.png", "4.png"}) EXPECT_TRUE(search.find(name).image);
     EXPECT_FALSE(search.find("5.png").image);
-    EXPECT_EQ(search.file.warnings(Code::PictureBroken), 1);
+    EXPECT_EQ(search.file.warnings(Code::PictureOverLimit), 1);
 }
 
 TEST_F(PictureFinderTest, theUsersPictureComesFirst) {

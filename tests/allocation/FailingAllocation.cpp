@@ -1,0 +1,86 @@
+#include "allocation/FailingAllocation.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define WALKCYCLE_OWN_MALLOC 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define WALKCYCLE_OWN_MALLOC 0
+#endif
+#endif
+#ifndef WALKCYCLE_OWN_MALLOC
+#define WALKCYCLE_OWN_MALLOC 1
+#endif
+
+namespace {
+
+thread_local std::uint64_t asked = 0, refusedAt = 0;
+
+bool isRefused() {
+    return ++asked == refusedAt;
+}
+
+}  // namespace
+
+namespace walkcycle {
+
+FailingAllocation::FailingAllocation(std::uint64_t n) {
+    asked = 0;
+    refusedAt = n;
+}
+FailingAllocation::~FailingAllocation() {
+    refusedAt = 0;
+}
+bool FailingAllocation::happened() const {
+    return asked >= refusedAt;
+}
+std::uint64_t FailingAllocation::requests() {
+    return asked;
+}
+
+}  // namespace walkcycle
+
+#if WALKCYCLE_OWN_MALLOC
+
+// glibc's own, under the names that it keeps for this purpose; operator new asks them as well.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+
+void* malloc(std::size_t size) {
+    if (!isRefused()) return __libc_malloc(size);
+    errno = ENOMEM;
+    return nullptr;
+}
+void* calloc(std::size_t count, std::size_t size) {
+    if (!isRefused()) return __libc_calloc(count, size);
+    errno = ENOMEM;
+    return nullptr;
+}
+void* realloc(void* memory, std::size_t size) {
+    if (!isRefused()) return __libc_realloc(memory, size);
+    errno = ENOMEM;
+    return nullptr;
+}
+}
+
+#else
+
+// The array forms end up here too.
+void* operator new(std::size_t size) {
+    void* memory = isRefused() ? nullptr : std::malloc(size ? size : 1);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+#endif

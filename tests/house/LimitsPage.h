@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace walkcycle::house {
+
+// docs/limits.md as src/loaders/LoadLimits.h makes it.
+std::string limitsPage();
+
+}  // namespace walkcycle::house
