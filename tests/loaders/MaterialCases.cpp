@@ -1,4 +1,5 @@
 #include "CodeCases.h"
+#include "io/Image.h"
 
 namespace walkcycle {
 namespace {
@@ -69,6 +70,13 @@ LoadOptions beside(const std::string& name, const std::string& bytes) {
     return options;
 }
 
+LoadOptions tooWide() {
+    const Bytes png = encodePng({.width = 20, .height = 1, .hasAlpha = false, .rgba = Bytes(80, 255)});
+    LoadOptions options = beside("skin.png", {png.begin(), png.end()});
+    options.limits.maxImageDimension = 19;
+    return options;
+}
+
 LoadOptions brokenDisk() {
     LoadOptions options;
     options.resolver = [](const std::string&) -> std::optional<Bytes> {
@@ -111,6 +119,7 @@ std::vector<CodeCase> pictureCases() {
         {Code::PictureGuessed, pictured("/home/anna/skin.png"), kImage + "/init_from",
          beside("skin.png", "")},
         {Code::PictureBroken, pictured("skin.png"), kImage + "/init_from", beside("skin.png", "no picture")},
+        {Code::PictureOverLimit, pictured("skin.png"), kImage + "/init_from", tooWide()},
         {Code::PictureRemote, pictured("http://example.org/skin.png"), kImage + "/init_from",
          beside("none", "")},
         {Code::PictureUnreadable, pictured("skin.png"), kImage + "/init_from", brokenDisk()},
