@@ -172,17 +172,24 @@ Bytes Archive::read(const std::string& name) const {
     return impl_->unpack(name, found->second);
 }
 
-std::string Archive::rootDocument() const {
+std::string Archive::rootDocument(std::string* doubt) const {
+    std::string reason;
     for (const std::string& name : names()) {
         if (lowerCase(name) != "manifest.xml") continue;
         const std::string root = daeRoot(read(name));
         if (contains(root)) return root;
+        reason =
+            root.empty() ? "manifest.xml names no document" : "'" + root + "' of manifest.xml is not in it";
     }
     const std::string* best = nullptr;  // the first of those that lie least deep
     const auto depth = [](const std::string& name) { return std::count(name.begin(), name.end(), '/'); };
-    for (const std::string& name : names())
-        if (lowerCase(name).ends_with(".dae") && (!best || depth(name) < depth(*best))) best = &name;
+    for (const std::string& name : names()) {
+        if (!lowerCase(name).ends_with(".dae")) continue;
+        if (best && reason.empty()) reason = "it has several documents and no manifest.xml";
+        if (!best || depth(name) < depth(*best)) best = &name;
+    }
     if (!best) throw ArchiveError("it holds no .dae document");
+    if (doubt) *doubt = reason;
     return *best;
 }
 

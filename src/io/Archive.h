@@ -35,7 +35,8 @@ public:
     const std::vector<std::string>& names() const;
     bool contains(const std::string& name) const;
     Bytes read(const std::string& name) const;  // throws ArchiveError
-    std::string rootDocument() const;  // what manifest.xml's <dae_root> names, else the only or first .dae
+    // What manifest.xml's <dae_root> names, else the only or first .dae; then `doubt` says why that is a guess.
+    std::string rootDocument(std::string* doubt = nullptr) const;
 
 private:
     struct Impl;

@@ -35,7 +35,9 @@ struct DocumentSet::Impl {
             if (looksLikeGzip(bytes)) return add(gunzip(bytes, options.limits.archive()), file);
             if (!looksLikeZip(bytes)) return add(std::move(bytes), file);
             Archive archive(std::move(bytes), options.limits.archive());
-            const std::string member = archive.rootDocument();
+            std::string doubt;
+            const std::string member = archive.rootDocument(&doubt);
+            if (!doubt.empty()) diagnostics.report(Code::RootGuessed, file, 1, {doubt, member});
             Bytes document = archive.read(member);
             surroundings.useArchive(std::move(archive));
             return add(std::move(document), member);

@@ -16,11 +16,13 @@ struct LoadLimits {
     std::uint64_t maxNesting = 98;
     std::uint64_t maxNumbers = 100'000'000;
     std::uint64_t maxPositions = 50'000'000;
-    std::uint64_t maxVertices = 100'000'000;
+    std::uint64_t maxVertices = 25'000'000;
     std::uint64_t maxPolygonCorners = 1'000'000;
     std::uint64_t maxInfluencesPerVertex = 1024;
     std::uint64_t maxSkinJoints = 5'000'000;
     std::uint64_t maxNodes = 5'000'000;
+    std::uint64_t maxSceneDepth = 1000;
+    std::uint64_t maxNodeText = std::uint64_t{1} << 28;
     std::uint64_t maxInstancedElements = 1'000'000;
     std::uint64_t maxInstances = 5'000'000;
     std::uint64_t maxKeyNumbers = 100'000'000;
@@ -71,6 +73,11 @@ inline constexpr LimitInfo kLimits[] = {
      "Each instance of a skin has a palette of its own, and so little text as one reference makes one."},
     {"nodes", &LoadLimits::maxNodes, "nodes of the scene",
      "A node takes some 800 bytes of memory, and a place in every pose."},
+    {"scene-depth", &LoadLimits::maxSceneDepth, "levels of nodes in the scene",
+     "Nested elements end at 98 levels, but <instance_node> goes on. For each level, loops are looked for in "
+     "all above."},
+    {"node-text", &LoadLimits::maxNodeText, "bytes of the names and ids of the scene's nodes",
+     "Each occurrence of an instanced node has them again, and a file chooses how long they are."},
     {"instanced-elements", &LoadLimits::maxInstancedElements, "elements repeated by <instance_node>",
      "Instances within instances multiply: forty small nodes can mean a million million. Each node counts "
      "with "

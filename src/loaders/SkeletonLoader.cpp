@@ -29,6 +29,7 @@ void SkeletonLoader::add(const Visit& root, bool drawn) {
         waiting.pop_back();
         if (visit.instanced) countInstanced(visit.node);
         context_.require(scene_.nodes.size() + 1 + waiting.size(), &LoadLimits::maxNodes, visit.node);
+        context_.require(visit.depth, &LoadLimits::maxSceneDepth, visit.node);
         const int joint = addJoint(visit, drawn);
         if (drawn) addInstances(visit.node, joint);
         const std::vector<Visit> children = childrenOf(visit, joint);
@@ -65,6 +66,8 @@ int SkeletonLoader::addJoint(const Visit& visit, bool drawn) {
     joint.name = node.attribute("name");
     joint.id = node.id();
     joint.sid = node.sid();
+    nodeText_ += joint.name.size() + joint.id.size() + joint.sid.size();
+    context_.require(nodeText_, &LoadLimits::maxNodeText, node);
     joint.parent = visit.parent;
     const std::string_view type = node.attribute("type");
     joint.isJoint = type == "JOINT";
@@ -100,14 +103,14 @@ std::vector<SkeletonLoader::Visit> SkeletonLoader::childrenOf(const Visit& visit
     const XmlNode node = visit.node;
     std::vector<Visit> children;
     for (XmlNode element : node.children()) {
-        if (element.is("node")) children.push_back({element, joint, node, visit.instanced});
+        if (element.is("node")) children.push_back({element, joint, node, visit.instanced, visit.depth + 1});
         if (!element.is("instance_node")) continue;
         const XmlNode target = context_.documents.follow(element, "url", "node");
         if (target && isInside(target, joint))
             context_.diagnostics.report(Code::ReferenceLoop, element,
                                         {"instance_node", std::string(element.attribute("url"))});
         else if (target)
-            children.push_back({target, joint, node, true});
+            children.push_back({target, joint, node, true, visit.depth + 1});
     }
     return children;
 }

@@ -28,6 +28,7 @@ private:
         int parent;
         XmlNode around;  // the element whose space the node's parent is in
         bool instanced = false;
+        std::uint64_t depth = 1;  // levels of nodes, with this one
     };
     void add(const Visit& root, bool drawn);
     int addJoint(const Visit& visit, bool drawn);
@@ -41,7 +42,7 @@ private:
     const Asset& asset_;
     XmlNode rootCollada_;
     SceneGraph scene_;
-    std::uint64_t instancedElements_ = 0;
+    std::uint64_t instancedElements_ = 0, nodeText_ = 0;
     std::vector<glm::dmat4> worlds_;  // per joint: its model transform at rest
 };
 

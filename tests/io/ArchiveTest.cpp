@@ -109,6 +109,24 @@ TEST(ArchiveTest, withoutAUsableManifestTheFirstDocumentNearestTheTopIsMeant) {
     EXPECT_THROW(Archive(zipOf({{"a.obj", ""}}), {}).rootDocument(), ArchiveError);
 }
 
+TEST(ArchiveTest, whatTheManifestLeavesOpenIsSaid) {
+    const auto doubtOf = [](const std::string& manifest, bool hasTwo) {
+        std::string doubt;
+        if (manifest.empty() && hasTwo)
+            Archive(zipOf({{"a.dae", ""}, {"b.dae", ""}}), {}).rootDocument(&doubt);
+        else if (manifest.empty())
+            Archive(zipOf({{"a.dae", ""}}), {}).rootDocument(&doubt);
+        else
+            Archive(zipOf({{"a.dae", ""}, {"manifest.xml", manifest}}), {}).rootDocument(&doubt);
+        return doubt;
+    };
+    EXPECT_EQ(doubtOf("<dae_root>a.dae</dae_root>", false), "");
+    EXPECT_EQ(doubtOf("", false), "");
+    EXPECT_EQ(doubtOf("", true), "it has several documents and no manifest.xml");
+    EXPECT_EQ(doubtOf("<dae_root>gone.dae</dae_root>", false), "'gone.dae' of manifest.xml is not in it");
+    EXPECT_EQ(doubtOf("<other/>", false), "manifest.xml names no document");
+}
+
 TEST(ArchiveTest, namesThatLeadOutsideAreNotMembers) {
     const Archive archive(zipOf({{"../../etc/passwd", "x"},
                                  {"/etc/passwd", "x"},

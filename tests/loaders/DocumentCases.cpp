@@ -1,4 +1,5 @@
 #include "CodeCases.h"
+#include "TestFiles.h"
 
 namespace walkcycle {
 namespace {
@@ -14,6 +15,13 @@ std::string nested() {
     std::string text = "<COLLADA version='1.4.1'>\n";
     for (int depth = 2; depth < 120; ++depth) text += std::string(depth == 99 ? "@" : "") + "<node>\n";
     return text + "</COLLADA>";
+}
+
+// An archive of two documents that does not say which is meant.
+std::string twoInOne() {
+    const std::string document = collada(scene("<node id='n'/>"));
+    const Bytes archive = zipOf({{"a.dae", document}, {"b.dae", document}});
+    return "@" + std::string(archive.begin(), archive.end());
 }
 
 }  // namespace
@@ -38,6 +46,7 @@ std::vector<CodeCase> documentCases() {
          "<?xml version='1.0'?>\n<!DOCTYPE COLLADA [\n@<!ENTITY lol 'lol'>\n]>\n<COLLADA/>", ""},
         {Code::EncodingGuessed, collada(scene("<node id='n'/>\n@<node id='h\xFCpfer'/>")), ""},
         {Code::ControlCharacter, collada(scene("<node id='n'/>\n@<node id='a\x01'/>")), ""},
+        {Code::RootGuessed, twoInOne(), ""},
     };
 }
 

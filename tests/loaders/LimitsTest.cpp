@@ -156,6 +156,12 @@ std::vector<Costly> documents() {
         {"influences", 5, bytesOf(skinned(pulled, skins)), "vcount"},
         {"skin-joints", 6, bytesOf(skinned({}, skins)), "instance_controller"},
         {"nodes", 7, bytesOf(collada(scene(repeat("<node/>", 7)))), "node"},
+        {"scene-depth", 4,
+         bytesOf(collada("<library_nodes><node id='deep'><node id='deepest'/></node></library_nodes>" +
+                         scene("<node><node><instance_node url='#deep'/></node></node>"))),
+         "node[id=deepest]"},
+        {"node-text", 12, bytesOf(collada(scene("<node id='four'/><node id='two' name='a b' sid='xy'/>"))),
+         "node[id=two]"},
         {"instanced-elements", 9, bytesOf(instanced(9)), "node[id=many]"},
         {"instances", 3,
          bytesOf(collada(triangle() +
