@@ -38,7 +38,7 @@ struct SkinText {
     std::string inverseBinds{};  // a source "binds"; empty: no such input
     std::string weights = floatSource("weights", "1 0.5 0.25", "W");
     std::string weightInputs{};  // more <input>s of <vertex_weights>
-    int positions = 3;         // the count that <vertex_weights> claims
+    int positions = 3;           // the count that <vertex_weights> claims
     std::string vcount = "1 1 1";
     std::string v = "0 0 1 0 1 0";
 
