@@ -5,6 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs=$(nproc 2>/dev/null || echo 2)
 current_step="starting"
 export CCACHE_SLOPPINESS=pch_defines,time_macros  # or ccache passes by what uses precompiled headers
+export CCACHE_DEPEND=1  # the compiler says what a file includes: ccache need not preprocess it first
 
 step() {
     current_step=$1
