@@ -281,60 +281,6 @@ void checkReferences(const Subject& subject) {
 
 // ---- skins (LoadController)
 
-// What LoadSingleSkeletonNode calls the nodes.
-std::unordered_set<std::string> jointNames(const Subject& subject) {
-    std::unordered_set<std::string> names;
-    for (const XmlNode node : subject.all("node")) {
-        const std::string_view sid = node.sid(), name = node.attribute("name");
-        names.emplace(!sid.empty() ? sid : !name.empty() ? name : node.id());
-    }
-    return names;
-}
-
-void checkJointNames(const Subject& subject, XmlNode skin, const std::unordered_set<std::string>& known) {
-    const XmlNode source = subject.sourceOf(skin.child("joints"), "JOINT");
-    const XmlNode names = source.child("Name_array");
-    if (!names) {
-        if (source) subject.report(Code::GazeboJointArray, source, {nameOf(skin.parent())});
-        return;
-    }
-    for (const std::string& word : wordsOf(names))
-        if (!known.contains(word)) subject.report(Code::GazeboJointName, names, {word});
-}
-
-void checkBindShape(const Subject& subject, const Shown& shown, XmlNode skin) {
-    const XmlNode shape = skin.child("bind_shape_matrix");
-    if (!shape) return subject.report(Code::GazeboBindShapeMissing, skin, {nameOf(skin.parent())});
-    const bool hasTriangles = shown.geometry && shown.geometry.child("mesh").child("triangles");
-    if (hasTriangles && !isIdentity(matrixOf(numbersOf(shape))))
-        subject.report(Code::GazeboBindShapeIgnored, shape, {nameOf(shown.geometry)});
-}
-
-void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin,
-               const std::unordered_set<std::string>& joints) {
-    checkBindShape(subject, shown, skin);
-    checkJointNames(subject, skin, joints);
-    const XmlNode weights = skin.child("vertex_weights");
-    const int advance = offsetOf(inputOf(weights, "JOINT")) + offsetOf(inputOf(weights, "WEIGHT")) + 1;
-    if (weights && advance != indicesPerCorner(weights))
-        subject.report(Code::GazeboWeightOffsets, weights, {});
-    if (!isIdentity(subject.world(shown.node)))
-        subject.report(Code::GazeboSkinNode, shown.instance, {nameOf(subject.element(shown.node))});
-}
-
-void checkControllers(const Subject& subject) {
-    const std::unordered_set<std::string> joints = jointNames(subject);
-    std::unordered_set<XmlNode> seen;
-    for (const Shown& shown : subject.shown())
-        for (const XmlNode controller : shown.controllers) {
-            if (!seen.insert(controller).second) continue;
-            if (controller.is("morph"))
-                subject.report(Code::GazeboMorph, controller, {nameOf(controller.parent())});
-            else
-                checkSkin(subject, shown, controller, joints);
-        }
-}
-
 }  // namespace
 
 void checkGazebo(const Subject& subject) {
@@ -343,7 +289,7 @@ void checkGazebo(const Subject& subject) {
     checkInstanceNodes(subject);
     checkTransforms(subject);
     checkInstances(subject);
-    checkControllers(subject);
+    checkGazeboSkins(subject);
     checkReferences(subject);
 }
 

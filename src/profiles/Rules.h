@@ -8,6 +8,7 @@ namespace walkcycle {
 // docs/checking.md.
 void checkGltf(const Subject& subject);
 void checkGazebo(const Subject& subject);
+void checkGazeboSkins(const Subject& subject);      // its part about skins and morphs
 void checkGazeboMotion(const Subject& subject);     // its part about animations
 void checkGazeboMaterials(const Subject& subject);  // its part about materials
 void checkSecondLife(const Subject& subject);
