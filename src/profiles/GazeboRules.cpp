@@ -279,8 +279,6 @@ void checkReferences(const Subject& subject) {
     checkSamplers(subject, first);
 }
 
-// ---- skins (LoadController)
-
 }  // namespace
 
 void checkGazebo(const Subject& subject) {
