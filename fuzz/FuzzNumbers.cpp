@@ -1,5 +1,6 @@
 // Any bytes as a list of numbers, against the C library's own parser.
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -34,6 +35,17 @@ void compare(std::string_view token) {
     if (isNumber) REQUIRE(ours == theirs);
 }
 
+// A list is read on a shorter way than a word alone, where its words are plain: it must come to the same, bit by bit.
+template <typename T>
+void compareWithFromChars(std::string_view word, T value) {
+    T theirs{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), theirs);
+    if (end != word.data() + word.size() || error != std::errc{}) return;
+    const bool isHeld = std::abs(static_cast<double>(theirs)) <= std::numeric_limits<float>::max();
+    if (std::is_floating_point_v<T> && !isHeld) return;
+    REQUIRE(std::memcmp(&theirs, &value, sizeof value) == 0);
+}
+
 template <typename T>
 std::size_t parsed(std::string_view text) {
     std::vector<T> values;
@@ -48,6 +60,9 @@ std::size_t parsed(std::string_view text) {
     }
     if constexpr (!std::is_integral_v<T>)
         for (const T value : values) REQUIRE(std::isfinite(value));
+    const std::vector<std::string_view> words = splitWords(text);
+    REQUIRE(words.size() == values.size());
+    for (std::size_t i = 0; i < words.size(); ++i) compareWithFromChars(words[i], values[i]);
     return values.size();
 }
 

@@ -1,15 +1,18 @@
 #include "loaders/NumberParser.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "loaders/PlainNumber.h"
+
 namespace walkcycle {
 namespace {
 
-// Every control character counts as white space: exporters have written all of them.
 bool isSpace(char c) {
-    return static_cast<unsigned char>(c) <= ' ';
+    return isNumberSpace(c);
 }
 
 // A number too small to be told from zero is zero; one too large is a fault. from_chars reports both alike.
@@ -39,26 +42,104 @@ bool parseToken(const char* first, const char* last, T& value) {
     return error == std::errc{};
 }
 
+std::size_t countWords(std::string_view text) {
+    std::size_t words = 0;
+    bool between = true;
+    for (const char c : text) {
+        words += between && !isSpace(c);
+        between = isSpace(c);
+    }
+    return words;
+}
+
+// About how many words a text has, from a look at some places of it: never more than it could hold.
+std::size_t estimateWords(std::string_view text) {
+    constexpr std::size_t kPlaces = 4, kLength = 64;
+    if (text.size() <= kPlaces * kLength) return countWords(text);
+    std::size_t words = 0;
+    for (std::size_t i = 0; i < kPlaces; ++i)
+        words += countWords(text.substr((text.size() - kLength) / (kPlaces - 1) * i, kLength));
+    const double share = static_cast<double>(words) / (kPlaces * kLength);
+    return std::min(static_cast<std::size_t>(1.03 * share * static_cast<double>(text.size())) + 16,
+                    text.size() / 2 + 1);
+}
+
+// Reads the numbers of one text to the end of a vector.
+template <typename T>
+class ListReader {
+public:
+    ListReader(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults)
+        : text_(text), values_(values), faults_(faults), before_(values.size()) {}
+
+    // All words but the last few are read where they stand; those from a copy with more behind it.
+    void read() {
+        reserve(estimateWords(text_));
+        const std::size_t tail = lastWords();
+        if (tail > 0) readWords(text_.data(), text_.data() + tail, 0);
+        constexpr std::string_view kBehind = " 0       ";
+        const std::string_view last = text_.substr(tail);
+        std::array<char, 64> few;
+        std::string many;
+        if (last.size() + kBehind.size() > few.size()) many.resize(last.size() + kBehind.size());
+        char* const copy = many.empty() ? few.data() : many.data();
+        std::copy(last.begin(), last.end(), copy);
+        std::copy(kBehind.begin(), kBehind.end(), copy + last.size());
+        readWords(copy, copy + last.size() + 1, tail);
+    }
+
+private:
+    // Room is made as push_back() does it, not exactly: many short lists may be appended to one vector.
+    void reserve(std::size_t more) {
+        const std::size_t wanted = values_.size() + more;
+        if (wanted > values_.capacity())
+            values_.reserve(values_.empty() ? wanted : std::max(wanted, 2 * values_.capacity()));
+    }
+
+    // Where a word begins that has seven characters more behind its first; the text's start where there is none.
+    std::size_t lastWords() const {
+        std::size_t at = text_.size() < 8 ? 0 : text_.size() - 8;
+        while (at > 0 && (isSpace(text_[at]) || !isSpace(text_[at - 1]))) --at;
+        return at;
+    }
+
+    // Reads up to `stop`, where a word begins; `offset` is where in the text the first character stands.
+    void readWords(const char* const first, const char* const stop, std::size_t offset) {
+        std::array<T, 64> block;
+        for (const char* at = first; at < stop;) {
+            std::size_t count = 0;
+            for (; count < block.size(); ++count) {
+                while (isSpace(*at)) ++at;
+                if (at >= stop) break;
+                const char* const after = readPlain(at, block[count]);
+                const std::size_t place = offset + static_cast<std::size_t>(at - first);
+                at = after ? after : at + judge(place, values_.size() + count - before_, block[count]);
+            }
+            values_.insert(values_.end(), block.data(), block.data() + count);
+        }
+    }
+
+    // The word at a place of the text in full rigour; gives its length.
+    std::size_t judge(std::size_t place, std::size_t index, T& value) {
+        const char* const word = text_.data() + place;
+        const char* const end = text_.data() + text_.size();
+        const char* after = word;
+        while (after != end && !isSpace(*after)) ++after;
+        const auto length = static_cast<std::size_t>(after - word);
+        if (parseToken(word, after, value)) return length;
+        value = T{};
+        if (faults_.size() < kMaxFaults) faults_.push_back({index, place, {word, length}});
+        return length;
+    }
+
+    std::string_view text_;
+    std::vector<T>& values_;
+    std::vector<NumberFault>& faults_;
+    std::size_t before_;
+};
+
 template <typename T>
 void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    const std::size_t before = values.size();
-    for (;;) {
-        while (at != end && isSpace(*at)) ++at;
-        if (at == end) return;
-        const char* const token = at;
-        while (at != end && !isSpace(*at)) ++at;
-        T value{};
-        if (!parseToken(token, at, value)) {
-            value = T{};
-            if (faults.size() < kMaxFaults)
-                faults.push_back({values.size() - before,
-                                  static_cast<std::size_t>(token - text.data()),
-                                  {token, static_cast<std::size_t>(at - token)}});
-        }
-        values.push_back(value);
-    }
+    ListReader<T>(text, values, faults).read();
 }
 
 constexpr int kTokensAround = 3;

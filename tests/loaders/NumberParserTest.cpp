@@ -1,5 +1,16 @@
+#include <array>
+#include <bit>
+#include <cfloat>
+#include <charconv>
 #include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -54,6 +65,134 @@ TEST(NumberParserTest, whatIsNotFiniteOrTooLargeIsAFault) {
         EXPECT_FALSE(isNumber(text)) << text;
     EXPECT_FALSE(isNumber(std::string(500, '9')));
     EXPECT_TRUE(isNumber("3.4e38"));
+}
+
+// What from_chars says of a word; nothing where it is no number, too large, or too small for a float.
+template <typename T>
+std::optional<T> judged(std::string_view word) {
+    T value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole = end == word.data() + word.size() && error == std::errc{};
+    if (std::is_floating_point_v<T> && std::abs(static_cast<double>(value)) > FLT_MAX) return std::nullopt;
+    return whole ? std::optional<T>(value) : std::nullopt;
+}
+
+// Reads all words as one list, and each must be what from_chars makes of it, to the last bit.
+template <typename T>
+void expectAsJudged(const std::vector<std::string>& words) {
+    std::string text;
+    std::vector<T> wanted, found;
+    for (const std::string& word : words) {
+        const std::optional<T> value = judged<T>(word);
+        if (!value) continue;
+        wanted.push_back(*value);
+        text += word + (words.size() % 2 == 0 ? " " : "\r\n\t");
+    }
+    std::vector<NumberFault> faults;
+    parseNumbers(text, found, faults);
+    EXPECT_THAT(faults, SizeIs(0));
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        ASSERT_EQ(std::memcmp(&found[i], &wanted[i], sizeof(T)), 0) << found[i] << " for " << wanted[i];
+}
+
+void expectAllAsJudged(const std::vector<std::string>& words) {
+    expectAsJudged<float>(words);
+    expectAsJudged<double>(words);
+    expectAsJudged<std::int32_t>(words);
+}
+
+// Up to so many digits with a point somewhere among them, and perhaps an exponent.
+std::string randomWord(std::mt19937& random, unsigned mostDigits, int mostExponent) {
+    std::string word = random() % 2 == 0 ? "-" : "";
+    const unsigned digits = 1 + static_cast<unsigned>(random()) % mostDigits;
+    const unsigned point = static_cast<unsigned>(random()) % (2 * digits);
+    for (unsigned i = 0; i < digits; ++i) {
+        if (i == point) word += '.';
+        word += static_cast<char>('0' + random() % 10);
+    }
+    if (random() % 4 == 0)
+        word += (random() % 2 == 0 ? "e" : "E") +
+                std::to_string(static_cast<int>(random() % 100) * mostExponent / 100 - mostExponent / 2);
+    return word;
+}
+
+TEST(NumberParserTest, aMillionRandomNumbersAreReadToTheLastBit) {
+    std::mt19937 random(1);
+    for (const unsigned mostDigits : {3u, 8u, 12u, 17u, 25u}) {
+        std::vector<std::string> words;
+        for (int i = 0; i < 200'000; ++i)
+            words.push_back(randomWord(random, mostDigits, mostDigits == 8 ? 20 : 90));
+        expectAllAsJudged(words);
+    }
+}
+
+TEST(NumberParserTest, numbersHalfwayBetweenTwoFloatsAreReadToTheLastBit) {
+    std::mt19937 random(2);
+    std::vector<std::string> words;
+    for (int i = 0; i < 30'000; ++i) {
+        const auto bits = static_cast<std::uint32_t>(random()) % 0x7F000000u;
+        const double a = std::bit_cast<float>(bits), b = std::bit_cast<float>(bits + 1);
+        for (const int digits : {15, 16, 17, 18, 20, 40}) {
+            std::array<char, 400> text;
+            std::snprintf(text.data(), text.size(), "%.*g", digits, (a + b) / 2);
+            words.emplace_back(text.data());
+            std::snprintf(text.data(), text.size(), "%.*f", digits, (a + b) / 2);
+            words.emplace_back(text.data());
+        }
+    }
+    expectAllAsJudged(words);
+}
+
+TEST(NumberParserTest, numbersAtTheEdgesOfTheQuickWayAreReadToTheLastBit) {
+    expectAllAsJudged({"9007199254740991",
+                       "9007199254740992",
+                       "9007199254740993",
+                       "9007199254740993e22",
+                       "9007199254740993e23",
+                       "-9007199254740993e-22",
+                       "1e22",
+                       "1e23",
+                       "8.5e-23",
+                       "123456789012345678",
+                       "1234567890123456789",
+                       "0.000000000000000001",
+                       "0.0000000000000000001",
+                       "16777217",
+                       "16777219",
+                       "1.000000059604644775390625",
+                       "0.1",
+                       "7.0064923216240854e-46",
+                       "1.17549435e-38",
+                       "3.4028235e38",
+                       "-0",
+                       "-0.0",
+                       "0e9999",
+                       "0e-9999",
+                       "0e99999",
+                       "12345678",
+                       "1234567",
+                       "-2147483648",
+                       "2147483647",
+                       "00000000012",
+                       "1.",
+                       ".5",
+                       "-.5e3",
+                       "5.e-1",
+                       "1.12345678",
+                       "1.1234567812345678"});
+}
+
+TEST(NumberParserTest, aListEndsWhereItsTextEnds) {
+    for (std::size_t words = 1; words < 20; ++words)
+        for (const std::string word : {"1", "-0.5", "0.12345678", "123456789012345678901234567890"}) {
+            std::string text = " ";
+            for (std::size_t i = 0; i < words; ++i) text += word + (i + 1 < words ? " " : "");
+            const std::vector<char> exact(text.begin(),
+                                          text.end());  // the sanitizer sees what is read behind it
+            EXPECT_THAT(numbers<double>({exact.data(), exact.size()}), SizeIs(words)) << text;
+            EXPECT_THAT(numbers<float>({exact.data(), exact.size()}), SizeIs(words)) << text;
+        }
 }
 
 TEST(NumberParserTest, aFractionIsNoIndex) {
