@@ -11,6 +11,7 @@
 
 #include "io/ImageSize.h"
 #include "io/Jpeg.h"
+#include "io/Png.h"
 
 namespace {
 
@@ -121,7 +122,9 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits
     if (bytes.empty()) throw ImageError("the picture is empty (0 bytes)");
     if (bytes.size() > INT_MAX) throw ImageError("the picture is over 2 GB");
     if (isWebp(bytes)) return decodeWebp(bytes, limits);
-    return looksLikeJpeg(bytes) ? decodeJpeg(bytes, limits) : decodeWithStb(bytes, limits);
+    if (looksLikeJpeg(bytes)) return decodeJpeg(bytes, limits);
+    std::optional<Image> png = decodePlainPng(bytes, limits);
+    return png ? std::move(*png) : decodeWithStb(bytes, limits);
 }
 
 }  // namespace walkcycle

@@ -40,6 +40,7 @@ const std::vector<std::pair<std::string, Folders>> kLibraries{
     {"webp/", {"io"}},
     {"turbojpeg", {"io"}},
     {"zip", {"io"}},
+    {"libdeflate", {"io"}},
     {"zlib", {"io"}},
     {"CLI/", {"app"}},
     {"nlohmann/", {"app", "export"}},

@@ -1,5 +1,8 @@
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "io/Image.h"
 #include "io/TestFolder.h"
@@ -49,6 +52,76 @@ TEST(ImageTest, webpGivesBackEveryPixelAlsoWhereNothingCoversIt) {
     for (const bool alpha : {false, true}) {
         const Image image = gradient(37, 23, alpha);
         EXPECT_EQ(decodeImage(encodeWebp(image)).rgba, image.rgba);
+    }
+}
+
+// What a PNG of 8 bits a channel holds, by the words of its specification, one byte at a time.
+Bytes unfiltered(const Bytes& rows, int width, int height, int channels) {
+    Bytes pixels;
+    const int rowBytes = width * channels;
+    const auto at = [&](int x, int y) -> int {
+        return x < 0 || y < 0 ? 0 : pixels[static_cast<std::size_t>(y * rowBytes + x)];
+    };
+    for (int y = 0; y < height; ++y) {
+        const std::size_t start = static_cast<std::size_t>(y * (rowBytes + 1));
+        for (int x = 0; x < rowBytes; ++x) {
+            const int a = at(x - channels, y), b = at(x, y - 1), c = at(x - channels, y - 1), p = a + b - c;
+            const int pa = std::abs(p - a), pb = std::abs(p - b), pc = std::abs(p - c);
+            const int guesses[] = {0, a, b, (a + b) / 2, pa <= pb && pa <= pc ? a : pb <= pc ? b : c};
+            pixels.push_back(static_cast<std::uint8_t>(rows[start + 1 + static_cast<std::size_t>(x)] +
+                                                       guesses[rows[start]]));
+        }
+    }
+    return pixels;
+}
+
+void putChunk(Bytes& png, const std::string& name, const Bytes& data) {
+    const auto number = [&](std::size_t value) {
+        for (const int shift : {24, 16, 8, 0}) png.push_back(static_cast<std::uint8_t>(value >> shift));
+    };
+    number(data.size());
+    png.insert(png.end(), name.begin(), name.end());
+    png.insert(png.end(), data.begin(), data.end());
+    number(0);  // a check sum that nobody asks for
+}
+
+// The rows as they are, each with its filter byte, packed into chunks of at most `part` bytes.
+Bytes pngOf(const Bytes& rows, int width, int height, int channels, std::size_t part) {
+    Bytes packed(compressBound(static_cast<uLong>(rows.size())));
+    uLongf size = static_cast<uLongf>(packed.size());
+    EXPECT_EQ(compress(packed.data(), &size, rows.data(), static_cast<uLong>(rows.size())), Z_OK);
+    Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    putChunk(png, "IHDR",
+             {0, 0, 0, static_cast<std::uint8_t>(width), 0, 0, 0, static_cast<std::uint8_t>(height), 8,
+              static_cast<std::uint8_t>(channels == 3 ? 2 : 6), 0, 0, 0});
+    for (std::size_t at = 0; at < size; at += part) {
+        const auto begin = packed.begin() + static_cast<std::ptrdiff_t>(at);
+        putChunk(png, "IDAT", Bytes(begin, begin + static_cast<std::ptrdiff_t>(std::min(part, size - at))));
+    }
+    putChunk(png, "IEND", {});
+    return png;
+}
+
+TEST(ImageTest, everyFilterOfPngIsTakenBackAsItsSpecificationSays) {
+    constexpr int width = 23, height = 40;
+    for (const int channels : {3, 4}) {
+        Bytes rows;
+        std::uint32_t random = 1;
+        for (int y = 0; y < height; ++y) {
+            rows.push_back(static_cast<std::uint8_t>(y % 5));
+            for (int x = 0; x < width * channels; ++x)
+                rows.push_back(static_cast<std::uint8_t>((random = random * 1664525u + 1013904223u) >> 24));
+        }
+        const Bytes expected = unfiltered(rows, width, height, channels);
+        for (const std::size_t part : {std::size_t{100}, std::size_t{100'000}}) {
+            const Image image = decodeImage(pngOf(rows, width, height, channels, part));
+            ASSERT_EQ(image.hasAlpha, channels == 4);
+            Bytes read;
+            for (std::size_t i = 0; i < image.rgba.size(); ++i)
+                if (channels == 4 || i % 4 != 3) read.push_back(image.rgba[i]);
+            EXPECT_EQ(read, expected);
+            EXPECT_EQ(channels == 3, image.rgba[3] == 255 && image.rgba.back() == 255);
+        }
     }
 }
 
