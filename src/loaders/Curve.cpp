@@ -1,6 +1,7 @@
 #include "loaders/Curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace walkcycle {
@@ -86,8 +87,7 @@ void Curve::evaluateInside(double seconds, Side side, std::span<double> out) con
     }
     const std::size_t k = segmentAt(seconds, side);
     const double length = times[k + 1] - times[k];
-    const double progression =
-        length > 0.0 ? (seconds - times[k]) / length : (side == Side::Left ? 0.0 : 1.0);
+    const double progression = length > 0.0 ? (seconds - times[k]) / length : 0.0;  // seen from the left
     const double* a = &values[k * width];
     if (segments[k].kind == Kind::Step || progression <= 0.0) {
         std::copy_n(a, width, out.begin());
@@ -114,7 +114,7 @@ void Curve::evaluate(double seconds, Side side, std::span<double> out) const {
 
 // Value per second at the first or last key; along the handle, where there is one.
 double Curve::slope(bool atEnd, std::size_t component) const {
-    if (segments.empty()) return 0.0;
+    assert(!segments.empty());  // what has one key has no length to go on from
     const std::size_t k = atEnd ? segments.size() - 1 : 0;
     glm::dvec2 a(times[k], values[k * width + component]),
         b(times[k + 1], values[(k + 1) * width + component]);

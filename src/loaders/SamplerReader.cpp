@@ -1,6 +1,7 @@
 #include "loaders/SamplerReader.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <optional>
 
@@ -48,14 +49,20 @@ XmlNode ownSource(XmlNode input) {
     return source.is("source") ? source : XmlNode();
 }
 
+// Channels find it by its id, so it has one.
+std::string samplerName(XmlNode sampler) {
+    return std::string(sampler.id());
+}
+
 bool needsTangents(Interpolation i) {
     return i == Interpolation::Bezier || i == Interpolation::Hermite;
 }
 
 // Numbers per key. Some exporters forget the stride and count each number of a matrix or vector as an entry.
 std::size_t widthOf(const DoubleSource& source, std::size_t keyCount) {
-    const std::size_t perKey = keyCount ? source.values.size() / keyCount : 0;
-    const bool forgotten = source.width == 1 && keyCount && source.values.size() % keyCount == 0;
+    assert(keyCount > 0);
+    const std::size_t perKey = source.values.size() / keyCount;
+    const bool forgotten = source.width == 1 && source.values.size() % keyCount == 0;
     return forgotten && (perKey == 3 || perKey == 4 || perKey == 16) ? perKey : source.width;
 }
 
@@ -89,12 +96,6 @@ void reorder(CurveKeys& keys, const std::vector<std::size_t>& order) {
 }
 
 }  // namespace
-
-std::string samplerName(XmlNode sampler) {
-    for (XmlNode node = sampler; node; node = node.parent())
-        if (!node.id().empty()) return std::string(node.id());
-    return "(without id)";
-}
 
 int SamplerReader::read(XmlNode sampler) {
     if (const auto known = read_.find(sampler); known != read_.end()) return known->second;

@@ -31,7 +31,4 @@ private:
     std::uint64_t keyNumbers_ = 0;
 };
 
-// What messages call a sampler: its id, or that of the <animation> around it.
-std::string samplerName(XmlNode sampler);
-
 }  // namespace walkcycle

@@ -154,24 +154,6 @@ TEST(CurveTest, eachComponentHasHandlesOfItsOwn) {
     EXPECT_NEAR(out[1], 22.0, 1e-12);
 }
 
-TEST(CurveTest, wholeMatricesTurnTheShortWayAtConstantSpeed) {
-    CurveKeys keys{.width = 16,
-                   .times = {0, 1},
-                   .values = {1, 0,  0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,  //
-                              0, -2, 0, 4, 2, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1},
-                   .interpolations = {I::Linear, I::Linear},
-                   .tangentWidth = 0,
-                   .inTangents = {},
-                   .outTangents = {}};
-    const Curve curve = makeCurve(keys);
-    std::vector<double> out(16);
-    curve.evaluate(1.0 / 3.0, Side::Right, out);  // 30 degrees about z, scaled by 4/3
-    EXPECT_NEAR(out[0], std::sqrt(0.75) * 4 / 3, 1e-12);
-    EXPECT_NEAR(out[4], 0.5 * 4 / 3, 1e-12);
-    EXPECT_NEAR(out[3], 4.0 / 3, 1e-12);
-    EXPECT_DOUBLE_EQ(out[15], 1.0);
-}
-
 TEST(CurveTest, infinitiesGoOnAsMayaNamesThem) {
     Curve curve = makeCurve(uneven(I::Linear));  // 3.25 seconds long, rises by 2
     curve.before = curve.after = Infinity::Cycle;
@@ -201,6 +183,84 @@ TEST(CurveTest, cyclesOfNearlyNoLengthHaveAnEnd) {
     std::vector<double> knots;
     curve.knots(-0.1, 1.0, 100, knots);
     EXPECT_LE(knots.size(), 100u);
+}
+
+TEST(CurveTest, everyOtherCycleMirrorsTheKnotsOfWhatOscillates) {
+    Curve curve = makeCurve(uneven(I::Linear));  // 0.25, 1, 1.75, 3.5
+    curve.before = curve.after = Infinity::Oscillate;
+    std::vector<double> knots;
+    curve.knots(-3.0, 6.75, 100, knots);
+    std::sort(knots.begin(), knots.end());
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    EXPECT_THAT(knots, testing::ElementsAre(-3.0, -1.25, -0.5, 0.25, 1.0, 1.75, 3.5, 5.25, 6.0, 6.75));
+    EXPECT_TRUE(curve.mayJump());
+}
+
+TEST(CurveTest, whatGoesOnStraightLeavesAlongItsHandles) {
+    CurveKeys keys = uneven(I::Bezier);
+    keys.tangentWidth = 2;
+    keys.outTangents = {0.5, 2, 1.3, 6, 2.9, -4, 0, 0};
+    keys.inTangents = {0, 0, 0.9, 4.5, 1.45, -2, 3, 1};
+    Curve curve = makeCurve(keys);
+    curve.before = curve.after = Infinity::Linear;
+    EXPECT_NEAR(at(curve, -0.75), 1.0 - 1.0 / 0.25, 1e-12);
+    EXPECT_NEAR(at(curve, 4.5), 3.0 + 2.0 / 0.5, 1e-12);
+    EXPECT_NEAR(curve.travel(4.0, 5.0, 0), 4.0, 1e-12);
+    EXPECT_FALSE(curve.holds(4.0, 5.0));
+    EXPECT_FALSE(curve.mayJump());
+}
+
+TEST(CurveTest, aHandleOnItsKeyHasNoDirectionSoTheOtherOneGivesIt) {
+    CurveKeys keys = uneven(I::Bezier);
+    keys.tangentWidth = 2;
+    keys.outTangents = {0.25, 1, 1.3, 6, 2.5, 0, 0, 0};
+    keys.inTangents = {0, 0, 0.75, 2, 1.45, -2, 3.5, 3};
+    Curve curve = makeCurve(keys);
+    curve.before = curve.after = Infinity::Linear;
+    EXPECT_NEAR(at(curve, -0.75), 1.0 - 3.0 / 0.75, 1e-12);  // no handle: along the chord
+    EXPECT_NEAR(at(curve, 4.5), 3.0 + 5.0 / 1.75, 1e-12);
+}
+
+TEST(CurveTest, whatEndsInAJumpOrHasOneKeyHoldsHoweverItShouldGoOn) {
+    CurveKeys keys = uneven(I::Linear);
+    keys.times = {0.0, 0.0, 1.0, 1.0};
+    Curve jumps = makeCurve(keys);
+    jumps.before = jumps.after = Infinity::Linear;
+    EXPECT_DOUBLE_EQ(at(jumps, 9.0), 3.0);
+    EXPECT_DOUBLE_EQ(at(jumps, -9.0), 1.0);
+    EXPECT_DOUBLE_EQ(at(jumps, 0.0, Side::Left), 1.0);
+    EXPECT_DOUBLE_EQ(at(jumps, 0.0), 4.0);
+    Curve single = makeCurve({.times = {1.0},
+                              .values = {4.0},
+                              .interpolations = {I::Linear},
+                              .inTangents = {},
+                              .outTangents = {}});
+    single.before = single.after = Infinity::Cycle;
+    EXPECT_DOUBLE_EQ(at(single, 9.0), 4.0);
+    EXPECT_TRUE(single.holds(0.0, 9.0));
+    EXPECT_DOUBLE_EQ(bezierParameter(1.0, 1.0, 1.0, 1.0, 1.0), 0.0);
+}
+
+TEST(CurveTest, aBezierHoldsOnlyWhereItsHandlesAreLevelToo) {
+    CurveKeys keys = uneven(I::Bezier);
+    keys.values = {4.0, 4.0, 4.0, 4.0};
+    keys.interpolations[2] = I::Linear;
+    keys.tangentWidth = 1;
+    keys.outTangents = {4, 5, 4, 4};
+    keys.inTangents = {4, 4, 4, 4};
+    const Curve curve = makeCurve(keys);
+    EXPECT_TRUE(curve.holds(0.25, 1.0));
+    EXPECT_FALSE(curve.holds(1.0, 1.75));
+    EXPECT_TRUE(curve.holds(1.75, 3.5));
+}
+
+TEST(CurveTest, aSplineEndsWhereAnotherKindBegins) {
+    CurveKeys keys = even(I::BSpline);
+    keys.interpolations[2] = keys.interpolations[3] = I::Linear;
+    const Curve curve = makeCurve(keys);
+    EXPECT_DOUBLE_EQ(at(curve, 1.5), 5.0);  // the spline goes through its last key
+    EXPECT_DOUBLE_EQ(at(curve, 1.75), 2.75);
+    EXPECT_NEAR(at(curve, 1.0), (2.0 + 4 * -1.0 + 5.0) / 6, 1e-12);
 }
 
 }  // namespace
