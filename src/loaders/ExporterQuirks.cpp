@@ -24,8 +24,7 @@ bool isOldSketchUp(std::string_view tool) {
 
 std::string shortText(float number) {
     char text[32];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, number);
-    return error == std::errc() ? std::string(text, end) : std::string();
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
 }  // namespace

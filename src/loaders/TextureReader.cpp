@@ -1,6 +1,7 @@
 #include "loaders/TextureReader.h"
 
 #include <array>
+#include <cassert>
 
 #include "loaders/BumpMap.h"
 #include "loaders/Spelling.h"
@@ -107,7 +108,8 @@ int TextureReader::asNormals(int texture) {
     const auto [entry, isNew] = normals_.try_emplace(texture, static_cast<int>(model_.textures.size()));
     if (!isNew) return entry->second;
     Texture result = model_.textures[static_cast<std::size_t>(texture)];
-    if (result.image) result.image = std::make_shared<const Image>(normalsOfHeights(*result.image));
+    assert(result.image);
+    result.image = std::make_shared<const Image>(normalsOfHeights(*result.image));
     model_.textures.push_back(std::move(result));
     return entry->second;
 }

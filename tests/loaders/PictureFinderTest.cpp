@@ -198,5 +198,60 @@ TEST_F(PictureFinderTest, theUsersPictureComesFirst) {
     EXPECT_EQ(search.file.warnings(Code::PictureUnreadable), 1);
 }
 
+TEST_F(PictureFinderTest, aReferenceWithoutANameIsMissingWithoutAnyGuess) {
+    put("skin.png");
+    Search search(document());
+
+    for (const char* uri : {"textures/", "#skin", "http://x.org/"})
+        EXPECT_EQ(search.find(uri).path, "") << uri;
+    EXPECT_EQ(search.file.warnings(Code::PictureMissing), 2);
+    EXPECT_EQ(search.file.warnings(Code::PictureRemote), 1);
+}
+
+TEST_F(PictureFinderTest, aPerCentSignThatIsNoEscapeBelongsToTheName) {
+    put("50%25.png");
+    put("other.png");
+    put("a");
+    Search search(document());
+
+    EXPECT_EQ(search.nameOf("50%25.png"), "50%25.png");
+    EXPECT_EQ(search.file.warnings(Code::PictureGuessed), 1);
+    EXPECT_EQ(search.nameOf("a"), "a");
+}
+
+TEST_F(PictureFinderTest, theNameBesideTheDocumentCountsInAnyCaseAndFromAnyFolder) {
+    put("Skin.PNG");
+    put("other.png");
+    Search search(document());
+
+    EXPECT_EQ(search.nameOf("not/there/skin.png"), "Skin.PNG");
+    EXPECT_EQ(search.file.warnings(Code::PictureGuessed), 1);
+}
+
+TEST_F(PictureFinderTest, whoHasLostAThousandPicturesHasMovedThemAll) {
+    put("textures/skin.png");
+    Search search(document());
+    for (int i = 0; i < 1000; ++i) search.find("lost" + std::to_string(i) + ".png");
+
+    EXPECT_EQ(search.find("skin.png").path, "");
+    EXPECT_EQ(search.file.warnings(Code::PictureGuessed), 0);
+}
+
+TEST_F(PictureFinderTest, withoutDecodingATargaIsKnownByItsNameAndAnEmptyFileIsNoPicture) {
+    const auto bytes = [&](const char* name, std::size_t count) {
+        writeFile((folder_ / "model" / name).string(), Bytes(count, 0));
+        return name;
+    };
+    LoadOptions options;
+    options.loadImages = false;
+    Search search(document(), options);
+
+    search.find(bytes("skin.TGA", 100));
+    EXPECT_TRUE(search.file.diagnostics.all().empty());
+    search.find(bytes("short.tga", 18));
+    search.find(bytes("empty.png", 0));
+    EXPECT_EQ(search.file.warnings(Code::PictureBroken), 2);
+}
+
 }  // namespace
 }  // namespace walkcycle
