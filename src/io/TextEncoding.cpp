@@ -7,6 +7,8 @@
 #include <span>
 #include <string_view>
 
+#include "io/TextScan.h"
+
 namespace walkcycle {
 namespace {
 
@@ -94,19 +96,16 @@ std::size_t utf8Length(ByteSpan bytes, std::size_t i) {
     return length;
 }
 
+std::string_view viewOf(ByteSpan bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 std::optional<std::size_t> firstInvalidUtf8(ByteSpan bytes) {
-    std::size_t i = 0;
-    while (i < bytes.size()) {
-        std::uint64_t eight = 0;  // nearly all text is ASCII: look at eight bytes at once
-        while (i + 8 <= bytes.size()) {
-            std::memcpy(&eight, bytes.data() + i, 8);
-            if (eight & 0x8080808080808080u) break;
-            i += 8;
-        }
-        if (i == bytes.size()) break;
+    for (std::size_t i = findBeyondAscii(viewOf(bytes)); i < bytes.size();) {
         const std::size_t length = utf8Length(bytes, i);
         if (length == 0) return i;
         i += length;
+        if (i < bytes.size() && bytes[i] < 0x80) i = findBeyondAscii(viewOf(bytes), i);
     }
     return std::nullopt;
 }
@@ -146,7 +145,7 @@ bool isLatin1(const std::string& name) {
 
 // UTF-8, unless the declaration says Latin-1, or the bytes say that it is not.
 std::string from8Bit(ByteSpan bytes, bool* guessed) {
-    const std::string_view raw(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view raw = viewOf(bytes);
     const Span span = declaredEncoding(raw);
     const std::string name = lowerCase(raw.substr(span.begin, span.end - span.begin));
     if (isLatin1(name)) return fromWindows1252(bytes);
@@ -191,6 +190,17 @@ void cutZeros(std::string& text) {
 
 bool isUtf8(std::string_view text) {
     return !firstInvalidUtf8({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+std::optional<std::string_view> asUtf8(const Bytes& bytes) {
+    std::string_view text = viewOf(bytes);
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    const Span span = declaredEncoding(text);
+    const std::string name = lowerCase(text.substr(span.begin, span.end - span.begin));
+    const bool claimsUtf8 = name.empty() || name == "utf-8" || name == "utf8";
+    // Anything with a zero byte is UTF-16, UTF-32 or broken.
+    if (!claimsUtf8 || text.find('\0') != std::string_view::npos || !isUtf8(text)) return std::nullopt;
+    return text;
 }
 
 std::string toUtf8(Bytes bytes, bool* guessed, bool* padded) {

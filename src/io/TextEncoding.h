@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -20,6 +21,10 @@ struct EncodingError : std::runtime_error {
 // are none of these or not valid in the encoding they claim. With `guessed`, 8-bit text that is not what it
 // claims is read as Windows-1252, which takes any byte, and *guessed says that this was done. Zero bytes after the text are dropped; *padded says so.
 std::string toUtf8(Bytes bytes, bool* guessed = nullptr, bool* padded = nullptr);
+
+// The bytes themselves as that text, where they are already what toUtf8 would make of them (the declaration may spell
+// the encoding as it likes); nothing where they are not.
+std::optional<std::string_view> asUtf8(const Bytes& bytes);
 
 bool isUtf8(std::string_view text);
 

@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include "io/TextEncoding.h"
+#include "io/TextScan.h"
 #include "loaders/LimitCheck.h"
 #include "loaders/Markup.h"
 
@@ -12,22 +13,15 @@ namespace walkcycle {
 namespace {
 
 int lineAt(std::string_view text, std::size_t offset) {
-    return 1 + static_cast<int>(
-                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+    return 1 + static_cast<int>(countLineBreaks(text.substr(0, offset)));
 }
 
-std::size_t firstBeyondAscii(std::string_view text) {
-    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
-    return static_cast<std::size_t>(std::find_if(text.begin(), text.end(), beyond) - text.begin());
-}
-
-std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
+std::string toText(Bytes bytes, const std::string& file, Diagnostics& diagnostics) {
     if (bytes.empty()) diagnostics.fail(Code::NotXml, file, 1, {"the file is empty"});
     try {
         bool guessed = false, padded = false;
         std::string text = toUtf8(std::move(bytes), &guessed, &padded);
-        if (guessed)
-            diagnostics.report(Code::EncodingGuessed, file, lineAt(text, firstBeyondAscii(text)), {});
+        if (guessed) diagnostics.report(Code::EncodingGuessed, file, lineAt(text, findBeyondAscii(text)), {});
         if (padded) diagnostics.report(Code::ControlCharacter, file, lineAt(text, text.size()), {});
         return text;
     } catch (const EncodingError& error) {
@@ -37,26 +31,20 @@ std::string decode(Bytes bytes, const std::string& file, Diagnostics& diagnostic
     }
 }
 
-// XML 1.0, section 2.2: of the control characters only tab, line feed and carriage return may stand in a document.
-bool isForbidden(char c) {
-    return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r';
-}
-
 // What tinyxml2 would take in silence: text after a zero byte, control characters, and entities in a DOCTYPE.
-void refuseTricks(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
-    if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
+void refuseTricks(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+    constexpr std::size_t kNone = std::string_view::npos;
+    if (const std::size_t zero = text.find('\0'); zero != kNone)
         diagnostics.fail(Code::NotXml, file, lineAt(text, zero), {"a zero byte in the text"});
-    const auto control = std::find_if(text.begin(), text.end(), isForbidden);
-    if (control != text.end())
-        diagnostics.report(Code::ControlCharacter, file,
-                           lineAt(text, static_cast<std::size_t>(control - text.begin())), {});
+    if (const std::size_t control = findForbiddenControl(text); control != text.size())
+        diagnostics.report(Code::ControlCharacter, file, lineAt(text, control), {});
     constexpr std::size_t kMostAttributes = 1000;
-    if (const std::size_t crowded = findCrowdedTag(text, kMostAttributes); crowded != std::string::npos)
+    if (const std::size_t crowded = findCrowdedTag(text, kMostAttributes); crowded != kNone)
         diagnostics.fail(Code::NotXml, file, lineAt(text, crowded),
                          {"an element has more than " + std::to_string(kMostAttributes) + " attributes"});
-    const std::size_t doctype = text.find("<!DOCTYPE");
     const std::size_t root = text.find("<COLLADA");
-    if (doctype == std::string::npos || doctype > root) return;
+    const std::size_t doctype = text.substr(0, root).find("<!DOCTYPE");
+    if (doctype == kNone) return;
     const std::size_t entity = text.find("<!ENTITY", doctype);
     if (entity < root) diagnostics.fail(Code::EntitiesRefused, file, lineAt(text, entity), {});
 }
@@ -97,9 +85,7 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
                                  Diagnostics& diagnostics)
     : file_(std::move(file)), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
     requireWithin(limits, &LoadLimits::maxFileBytes, bytes.size(), file_, 0, diagnostics);
-    text_ = decode(std::move(bytes), file_, diagnostics);
-    refuseTricks(text_, file_, diagnostics);
-    dropInstructions(text_);
+    decode(std::move(bytes), diagnostics);
     requireFewElements(text_, file_, limits, diagnostics);
     const std::size_t length = text_.size();
     parse(diagnostics);
@@ -115,6 +101,24 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
 
 ColladaDocument::~ColladaDocument() = default;
 
+// Nearly every document is UTF-8 already, and large: then no copy of it is made.
+void ColladaDocument::decode(Bytes bytes, Diagnostics& diagnostics) {
+    const std::optional<std::string_view> text = asUtf8(bytes);
+    if (text && !text->empty()) {
+        bytes_ = std::move(bytes);
+        text_ = *text;
+    } else {
+        rewritten_ = toText(std::move(bytes), file_, diagnostics);
+        text_ = rewritten_;
+    }
+    refuseTricks(text_, file_, diagnostics);
+    if (std::optional<std::string> kept = withoutInstructions(text_)) {
+        rewritten_ = std::move(*kept);
+        bytes_ = {};
+        text_ = rewritten_;
+    }
+}
+
 // Without its long number lists where that can be done, the plain way where there is any doubt.
 void ColladaDocument::parse(Diagnostics& diagnostics) {
     if (std::optional<CutDocument> cut = cutNumberText(text_)) {
@@ -129,7 +133,9 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
                          {std::to_string(limitInfo(&LoadLimits::maxNesting).most)});
     if (xml_->Error())
         diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
-    text_ = std::string();  // the DOM holds it all
+    text_ = {};  // the DOM holds it all
+    rewritten_ = {};
+    bytes_ = {};
 }
 
 // Hangs each cut-out text on its element. False where tinyxml2 saw other elements than the cutter did.

@@ -31,12 +31,15 @@ public:
     XmlNode byId(std::string_view id) const;
 
 private:
+    void decode(Bytes bytes, Diagnostics& diagnostics);
     void parse(Diagnostics& diagnostics);
     bool placeNumberText();
     void indexIds(Diagnostics& diagnostics);
 
     std::string file_;
-    std::string text_;                                 // UTF-8; what the cut-out texts are views of
+    Bytes bytes_;            // as read,
+    std::string rewritten_;  // or what was made of them, where they were not fit for use:
+    std::string_view text_;  // UTF-8; what the cut-out texts are views of
     std::vector<std::optional<NumberText>> cutTexts_;  // hung on their elements as tinyxml2 user data
     std::unique_ptr<tinyxml2::XMLDocument> xml_;
     XmlNode root_;

@@ -1,6 +1,6 @@
 #include "loaders/Markup.h"
 
-#include <algorithm>
+#include "io/TextScan.h"
 
 namespace walkcycle {
 namespace {
@@ -42,9 +42,9 @@ std::size_t afterMarkup(std::string_view document, std::size_t at) {
 
 }  // namespace
 
-void dropInstructions(std::string& document) {
+std::optional<std::string> withoutInstructions(std::string_view document) {
     const std::size_t declaration = document.find('<');
-    if (declaration == kNone || document.find("<?", declaration + 1) == kNone) return;
+    if (declaration == kNone || document.find("<?", declaration + 1) == kNone) return std::nullopt;
     std::string kept;
     std::size_t copied = 0;
     for (std::size_t at = declaration, end = 0; at != kNone; at = document.find('<', end)) {
@@ -52,14 +52,12 @@ void dropInstructions(std::string& document) {
         if (end == kNone) break;
         if (at == declaration || !startsWith(document, at, "<?")) continue;
         kept.append(document, copied, at - copied);
-        const auto first = document.begin() + static_cast<std::ptrdiff_t>(at);
-        const auto last = document.begin() + static_cast<std::ptrdiff_t>(end);
-        kept.append(static_cast<std::size_t>(std::count(first, last, '\n')), '\n');
+        kept.append(countLineBreaks(document.substr(at, end - at)), '\n');
         copied = end;
     }
-    if (copied == 0) return;
+    if (copied == 0) return std::nullopt;
     kept.append(document, copied);
-    document = std::move(kept);
+    return kept;
 }
 
 std::size_t findCrowdedTag(std::string_view document, std::size_t mostAttributes) {

@@ -1,7 +1,8 @@
 #include "loaders/NumberText.h"
 
-#include <algorithm>
 #include <cstring>
+
+#include "io/TextScan.h"
 
 namespace walkcycle {
 namespace {
@@ -13,7 +14,7 @@ bool endsName(char c) {
 }
 
 int countLines(std::string_view text) {
-    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    return static_cast<int>(countLineBreaks(text));
 }
 
 // Walks the markup; everything between `copied_` and the cut is carried over.

@@ -5,6 +5,7 @@
 
 #include <tinyxml2.h>
 
+#include "io/TextScan.h"
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/NumberParser.h"
@@ -20,7 +21,7 @@ std::string_view localName(const char* qualified) {
 }
 
 int lineBreaks(std::string_view text) {
-    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    return static_cast<int>(countLineBreaks(text));
 }
 
 // "geometry[id=body]", or "node[sid=hip]", or the plain name.

@@ -97,5 +97,17 @@ TEST(TextEncodingTest, utf32IsRefusedByName) {
                 ThrowsMessage<EncodingError>(HasSubstr("UTF-32")));
 }
 
+TEST(TextEncodingTest, bytesThatAreUtf8AlreadyAreTheTextThemselves) {
+    for (const char* text : {"<a>Läufer</a>", "<?xml version='1.0' encoding='UTF-8'?><a/>", "<a/>"}) {
+        const Bytes bytes = bytesOf(text);
+        EXPECT_EQ(asUtf8(bytes), text);
+    }
+    EXPECT_EQ(asUtf8(bytesOf("\xEF\xBB\xBF")), "");
+    for (const std::string_view other :
+         {std::string_view("<a/>\0", 5), std::string_view("<\0a\0", 4), std::string_view("<a>\xE4</a>"),
+          std::string_view("<?xml encoding='latin1'?><a/>")})
+        EXPECT_EQ(asUtf8(bytesOf(other)), std::nullopt) << other;
+}
+
 }  // namespace
 }  // namespace walkcycle

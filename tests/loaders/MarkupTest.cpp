@@ -4,20 +4,15 @@
 namespace walkcycle {
 namespace {
 
-std::string withoutInstructions(std::string text) {
-    dropInstructions(text);
-    return text;
-}
-
 TEST(MarkupTest, instructionsGoAndTheirLinesStay) {
-    EXPECT_EQ(withoutInstructions("<?xml version='1.0'?>\n<?style\nx?><a>1<?y?>2</a>"),
+    EXPECT_EQ(withoutInstructions("<?xml version='1.0'?>\n<?style\nx?><a>1<?y?>2</a>").value_or(""),
               "<?xml version='1.0'?>\n\n<a>12</a>");
 }
 
 TEST(MarkupTest, whatOnlyLooksLikeAnInstructionStays) {
     for (const std::string text : {"<a><!-- <?x?> --></a>", "<a><![CDATA[<?x?>]]></a>", "<a b='<?x?>'/>",
                                    "<a><?x</a>", "<!DOCTYPE a [<?x?>]><a/>", "<?xml version='1.0'?><a/>", ""})
-        EXPECT_EQ(withoutInstructions(text), text);
+        EXPECT_EQ(withoutInstructions(text), std::nullopt) << text;
 }
 
 TEST(MarkupTest, aTagOfManyAttributesIsFound) {
