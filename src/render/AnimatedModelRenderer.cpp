@@ -69,7 +69,10 @@ struct Wireframe {
     ShaderProgram program;
     DeformUniforms deform;
 
-    Wireframe() : program({{"animatedModelVertex"}, {"flatFragment"}}), deform((program.start(), program)) {}
+    Wireframe()
+        : program({{"animatedModelVertex"}, {"flatFragment"}},
+                  deformDefines({.morphs = true, .moreInfluences = true})),
+          deform((program.start(), program)) {}
 };
 
 }  // namespace
@@ -97,6 +100,7 @@ struct AnimatedModelRenderer::Impl {
     std::optional<SkeletonRenderer> skeleton;  // made when it is first needed
     std::optional<Wireframe> wireframe;
 
+    static bool shaderEncodes(const Scene& scene);
     const AnimatedModelShader& shaderFor(const Scene& scene);
     void prepare(const Scene& scene);
     void sortParts(const Scene& scene);
@@ -107,10 +111,15 @@ struct AnimatedModelRenderer::Impl {
     void drawModel(const Scene& scene);
 };
 
+// Blending takes place in light, so the target must turn that into sRGB. Without blending the shader does it, once a
+// fragment, where the target would once a sample.
+bool AnimatedModelRenderer::Impl::shaderEncodes(const Scene& scene) {
+    return scene.encodesItself || !scene.model.resource()->needs().seeThrough;
+}
+
 const AnimatedModelShader& AnimatedModelRenderer::Impl::shaderFor(const Scene& scene) {
-    const ModelResource& resource = *scene.model.resource();
-    const AnimatedModelShader::Variant variant{scene.options.lights, resource.texturedSlots(),
-                                               resource.separateCoords(), resource.bumpMapped()};
+    const AnimatedModelShader::Variant variant{scene.options.lights, shaderEncodes(scene),
+                                               scene.model.resource()->needs()};
     return shaders.try_emplace(variant, variant).first->second;
 }
 
@@ -221,10 +230,12 @@ void AnimatedModelRenderer::Impl::drawModel(const Scene& scene) {
     const AnimatedModelShader& shader = shaderFor(scene);
     prepare(scene);
     shader.start();
-    shader.loadCamera(scene.camera, scene.encodesItself);
+    shader.loadCamera(scene.camera);
     if (scene.options.lights == Lighting::File) shader.loadLights(lights);
+    if (shaderEncodes(scene)) glDisable(GL_FRAMEBUFFER_SRGB);
     drawSolid(scene, shader);
     drawSeeThrough(scene, shader);
+    if (!scene.encodesItself) glEnable(GL_FRAMEBUFFER_SRGB);
     if (scene.options.wireframe) drawWireframe(scene);
     if (scene.options.skeleton) {
         if (!skeleton) skeleton.emplace();
@@ -242,15 +253,15 @@ void AnimatedModelRenderer::render(const AnimatedModel& model, const Camera& cam
     const bool encodesItself = startDrawingTo(target);
     if (options.grid) {
         const BackgroundRenderer::Ground ground{camera, model.bounds()};
-        impl_->background.render(options, encodesItself, &ground);
+        impl_->background.render(options, encodesItself, &ground, target);
     } else {
-        impl_->background.render(options, encodesItself, nullptr);
+        impl_->background.render(options, encodesItself, nullptr, target);
     }
     impl_->drawModel({model, camera, options, encodesItself});
 }
 
 void AnimatedModelRenderer::clear(const RenderTarget& target, const RenderOptions& options) {
-    impl_->background.render(options, startDrawingTo(target), nullptr);
+    impl_->background.render(options, startDrawingTo(target), nullptr, target);
 }
 
 void AnimatedModelRenderer::draw(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,

@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "render/Srgb.h"
 #include "render/VertexInput.h"
 
 namespace walkcycle {
@@ -19,16 +20,24 @@ constexpr std::uint32_t bit(Slot slot) {
 constexpr std::uint32_t kStudioSlots =
     bit(Slot::Emission) | bit(Slot::Diffuse) | bit(Slot::Transparent) | bit(Slot::Bump);
 
-AnimatedModelShader::Variant needed(AnimatedModelShader::Variant variant) {
-    if (variant.lighting == Lighting::Studio) variant.texturedSlots &= kStudioSlots;
-    variant.bumped = variant.bumped && (variant.texturedSlots & bit(Slot::Bump));
-    return variant;
+ShaderNeeds needed(ShaderNeeds needs, Lighting lighting) {
+    if (lighting == Lighting::Studio) needs.texturedSlots &= kStudioSlots;
+    needs.bumped = needs.bumped && (needs.texturedSlots & bit(Slot::Bump));
+    return needs;
 }
 
 std::string defines(const AnimatedModelShader::Variant& variant) {
-    std::string text = "#define TEXTURED " + std::to_string(variant.texturedSlots & ~bit(Slot::Bump)) + "\n";
-    if (variant.separateCoords) text += "#define SEPARATE_COORDS\n";
-    if (variant.bumped) text += "#define BUMP\n";
+    const ShaderNeeds& needs = variant.needs;
+    std::string text = deformDefines(needs);
+    text += "#define TEXTURED " + std::to_string(needs.texturedSlots & ~bit(Slot::Bump)) + "\n";
+    const auto define = [&](bool wanted, const char* name) {
+        if (wanted) text += std::string("#define ") + name + "\n";
+    };
+    define(needs.separateCoords, "SEPARATE_COORDS");
+    define(needs.bumped, "BUMP");
+    define(needs.vertexColors, "VERTEX_COLORS");
+    define(needs.seeThrough, "SEE_THROUGH");
+    define(variant.encodesItself, "ENCODES_ITSELF");
     return text;
 }
 
@@ -46,14 +55,25 @@ std::array<glm::vec4, kSlotCount> slotColors(const Material& material, Lighting 
     std::array<glm::vec4, kSlotCount> colors;
     for (std::size_t s = 0; s < colors.size(); ++s) colors[s] = material.slots[s].color;
     const bool silent = !material.slot(Slot::Diffuse).present && !material.slot(Slot::Emission).present;
-    if (silent && lighting == Lighting::Studio) colors[static_cast<std::size_t>(Slot::Diffuse)] = kClay;
+    if (lighting == Lighting::File) return colors;
+    if (silent) colors[static_cast<std::size_t>(Slot::Diffuse)] = kClay;
+    for (const Slot slot : {Slot::Diffuse, Slot::Emission}) {
+        glm::vec4& color = colors[static_cast<std::size_t>(slot)];
+        color = glm::vec4(linearOfSrgb(glm::vec3(color)), color.a);
+    }
     return colors;
 }
 
 }  // namespace
 
+std::string deformDefines(const ShaderNeeds& needs) {
+    return std::string(needs.morphs ? "#define MORPHS\n" : "") +
+           (needs.moreInfluences ? "#define MORE_INFLUENCES\n" : "");
+}
+
 DeformUniforms::DeformUniforms(const ShaderProgram& program)
     : firstJoint_(program.uniform("firstJoint")),
+      influenceCount_(program.uniform("influenceCount")),
       morphRange_(program.uniform("morphRange")),
       positionCount_(program.uniform("positionCount")),
       vertexCount_(program.uniform("vertexCount")) {
@@ -66,18 +86,18 @@ DeformUniforms::DeformUniforms(const ShaderProgram& program)
 
 void DeformUniforms::load(const Values& values) const {
     glUniform1i(firstJoint_, values.firstJoint);
+    glUniform1i(influenceCount_, values.influenceCount);
     glUniform2i(morphRange_, values.morphRange.x, values.morphRange.y);
     glUniform1i(positionCount_, values.positionCount);
     glUniform1i(vertexCount_, values.vertexCount);
 }
 
 AnimatedModelShader::AnimatedModelShader(const Variant& variant)
-    : variant_(needed(variant)),
+    : variant_{variant.lighting, variant.encodesItself, needed(variant.needs, variant.lighting)},
       program_(walkcycle::program(variant_)),
       deform_((program_.start(), program_)),
       viewProjection_(program_.uniform("viewProjection")),
       eye_(program_.uniform("eye")),
-      encodesItself_(program_.uniform("encodesItself")),
       slotColors_(program_.uniform("slotColors")),
       opaqueMode_(program_.uniform("opaqueMode")),
       transparency_(program_.uniform("transparency")),
@@ -98,11 +118,10 @@ AnimatedModelShader::AnimatedModelShader(const Variant& variant)
     program_.setSampler("lights", TextureUnit::kLights);
 }
 
-void AnimatedModelShader::loadCamera(const Camera& camera, bool encodesItself) const {
+void AnimatedModelShader::loadCamera(const Camera& camera) const {
     setUniform(viewProjection_, camera.viewProjection());
     setUniform(eye_, camera.orthographic ? glm::vec4(-camera.direction(), 0.0f)
                                          : glm::vec4(camera.position(), 1.0f));
-    setUniform(encodesItself_, encodesItself ? 1 : 0);
     // The lamps stand around the camera and move with it.
     const glm::mat3 fromView = glm::transpose(glm::mat3(camera.view));
     setUniform(keyDirection_, fromView * glm::normalize(glm::vec3(-0.55f, 0.75f, 0.75f)));
@@ -124,7 +143,7 @@ void AnimatedModelShader::loadMaterial(const Material& material, const ModelReso
     setUniform(shininess_, material.shininess);
     setUniform(reflectivity_, material.reflectivity);
     for (int s = 0; s < kSlotCount; ++s) {
-        if (!(variant_.texturedSlots & (1u << s))) continue;
+        if (!(variant_.needs.texturedSlots & (1u << s))) continue;
         const auto slot = static_cast<Slot>(s);
         const GlTexture* texture = resource.texture(material.slot(slot).texture, slot);
         (texture ? *texture : resource.white()).bind(s);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <compare>
-#include <cstdint>
+#include <string>
 
 #include <glm/vec2.hpp>
 
@@ -18,6 +18,7 @@ namespace walkcycle {
 struct DeformUniforms {
     struct Values {
         int firstJoint = 0;           // where the palette begins
+        int influenceCount = 1;       // of the first four, the most that a vertex has
         glm::ivec2 morphRange{0, 0};  // from which to before which entry of `morphs`
         int positionCount = 0;
         int vertexCount = 0;
@@ -27,18 +28,20 @@ struct DeformUniforms {
     void load(const Values& values) const;
 
 private:
-    GLint firstJoint_, morphRange_, positionCount_, vertexCount_;
+    GLint firstJoint_, influenceCount_, morphRange_, positionCount_, vertexCount_;
 };
 
+// The #defines by which animatedModelVertex.glsl can do what a model needs.
+std::string deformDefines(const ShaderNeeds& needs);
+
 // The program that draws a model: skinning and morphs in the vertex shader, one of two kinds of light in the
-// fragment shader. A variant holds what all materials of a model need, so that a model needs a single one.
+// fragment shader. A variant holds what a model needs, so that a model needs a single one.
 class AnimatedModelShader {
 public:
     struct Variant {
         Lighting lighting = Lighting::Studio;
-        std::uint32_t texturedSlots = 0;  // a bit per Slot
-        bool separateCoords = false;      // slots of one part use different texture coordinates
-        bool bumped = false;
+        bool encodesItself = false;  // the target does not turn linear light into sRGB
+        ShaderNeeds needs;
 
         auto operator<=>(const Variant&) const = default;
     };
@@ -48,7 +51,7 @@ public:
     explicit AnimatedModelShader(const Variant& variant);
 
     void start() const { program_.start(); }
-    void loadCamera(const Camera& camera, bool encodesItself) const;
+    void loadCamera(const Camera& camera) const;
     void loadLights(const FileLights& lights) const;
     void loadInstance(const DeformUniforms::Values& values) const { deform_.load(values); }
     void loadMaterial(const Material& material, const ModelResource& resource) const;
@@ -58,7 +61,7 @@ private:
     Variant variant_;
     ShaderProgram program_;
     DeformUniforms deform_;
-    GLint viewProjection_, eye_, encodesItself_, slotColors_, opaqueMode_, transparency_, pass_, bumped_;
+    GLint viewProjection_, eye_, slotColors_, opaqueMode_, transparency_, pass_, bumped_;
     GLint keyDirection_, fillDirection_, rimDirection_;
     GLint shadingModel_, shininess_, reflectivity_, ambientLight_, lightCount_;
 };

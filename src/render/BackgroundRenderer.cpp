@@ -25,38 +25,47 @@ glm::vec3 asTaken(const glm::vec3& srgb, bool encodesItself) {
     return encodesItself ? srgb : linearOfSrgb(srgb);
 }
 
-}  // namespace
-
-void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself, const Ground* ground) {
-    const bool transparent = options.background == Background::None;
-    clear(transparent ? glm::vec4(0.0f) : glm::vec4(asTaken(options.backgroundColor, encodesItself), 1.0f));
-    if (transparent || (options.background == Background::Color && !ground)) return;
-    auto& backdrop = ground ? withGrid_ : plain_;
-    if (!backdrop) backdrop.emplace(ground ? "#define GRID\n" : "");
-    backdrop->draw(options, encodesItself, ground);
+Backdrop::Grid gridOf(const BackgroundRenderer::Ground& ground, bool encodesItself) {
+    const float size = std::max(ground.bounds.diagonal() * 0.5f, 1e-6f);
+    return {.fromPicture = glm::inverse(ground.camera.viewProjection()),
+            .center = ground.bounds.empty() ? glm::vec3(0.0f) : ground.bounds.center(),
+            .radius = size * 4.0f,
+            .spacing = std::pow(10.0f, std::round(std::log10(size)) - 1.0f),
+            .lineColor = glm::vec4(asTaken(kLine, encodesItself), kLineStrength)};
 }
 
-void BackgroundRenderer::Backdrop::draw(const RenderOptions& options, bool encodesItself,
-                                        const Ground* ground) const {
+Backdrop backdropOf(const RenderOptions& options, bool encodesItself,
+                    const BackgroundRenderer::Ground* ground) {
     const bool gradient = options.background == Background::Gradient;
-    program_.start();
-    setUniform(program_.uniform("top"), asTaken(gradient ? kTop : options.backgroundColor, encodesItself));
-    setUniform(program_.uniform("bottom"),
-               asTaken(gradient ? kBottom : options.backgroundColor, encodesItself));
-    if (ground) loadGround(*ground, encodesItself);
-    noInputs_.bind();
+    Backdrop backdrop{.top = asTaken(gradient ? kTop : options.backgroundColor, encodesItself),
+                      .bottom = asTaken(gradient ? kBottom : options.backgroundColor, encodesItself),
+                      .grid = {}};
+    if (ground) backdrop.grid = gridOf(*ground, encodesItself);
+    return backdrop;
+}
+
+}  // namespace
+
+void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself, const Ground* ground,
+                                const RenderTarget& target) {
+    const bool plainColor = options.background == Background::Color && !ground;
+    const bool empty = options.background == Background::None || plainColor;
+    if (target.underlay) target.underlay->reset();
+    clear(plainColor ? glm::vec4(asTaken(options.backgroundColor, encodesItself), 1.0f) : glm::vec4(0.0f));
+    if (empty) return;
+    const Backdrop backdrop = backdropOf(options, encodesItself, ground);
+    if (target.underlay) {
+        *target.underlay = backdrop;
+        return;
+    }
+    auto& program = ground ? withGrid_ : plain_;
+    if (!program) program.emplace(backdrop);
+    program->program.start();
+    backdrop.load(program->program);
+    program->noInputs.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void BackgroundRenderer::Backdrop::loadGround(const Ground& ground, bool encodesItself) const {
-    const float size = std::max(ground.bounds.diagonal() * 0.5f, 1e-6f);
-    setUniform(program_.uniform("fromPicture"), glm::inverse(ground.camera.viewProjection()));
-    setUniform(program_.uniform("center"), ground.bounds.empty() ? glm::vec3(0.0f) : ground.bounds.center());
-    setUniform(program_.uniform("radius"), size * 4.0f);
-    setUniform(program_.uniform("spacing"), std::pow(10.0f, std::round(std::log10(size)) - 1.0f));
-    setUniform(program_.uniform("lineColor"), glm::vec4(asTaken(kLine, encodesItself), kLineStrength));
 }
 
 }  // namespace walkcycle

@@ -5,6 +5,7 @@
 #include "model/CpuSkinning.h"
 #include "render/Camera.h"
 #include "render/RenderOptions.h"
+#include "render/RenderTarget.h"
 #include "render/ShaderProgram.h"
 #include "render/Vao.h"
 
@@ -20,23 +21,18 @@ public:
     };
 
     // Without `ground`: no grid.
-    void render(const RenderOptions& options, bool encodesItself, const Ground* ground);
+    void render(const RenderOptions& options, bool encodesItself, const Ground* ground,
+                const RenderTarget& target);
 
 private:
-    class Backdrop {
-    public:
-        explicit Backdrop(const char* defines)
-            : program_({{"backgroundVertex"}, {"backgroundFragment"}}, defines) {}
+    struct Program {
+        explicit Program(const Backdrop& backdrop)
+            : program({{"backgroundVertex"}, {"backdrop", "backgroundFragment"}}, backdrop.defines()) {}
 
-        void draw(const RenderOptions& options, bool encodesItself, const Ground* ground) const;
-
-    private:
-        void loadGround(const Ground& ground, bool encodesItself) const;
-
-        ShaderProgram program_;
-        Vao noInputs_;
+        ShaderProgram program;
+        Vao noInputs;
     };
-    std::optional<Backdrop> plain_, withGrid_;  // made when first needed
+    std::optional<Program> plain_, withGrid_;  // made when first needed
 };
 
 }  // namespace walkcycle

@@ -86,12 +86,22 @@ void flipRows(std::vector<std::uint8_t>& rgba, std::size_t rowBytes) {
 }  // namespace
 
 Framebuffer::Resolver::Resolver(int width, int height)
-    : framebuffer(newFramebuffer()),
-      color(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0)),
-      program({{"backgroundVertex"}, {"resolveFragment"}}) {
+    : framebuffer(newFramebuffer()), color(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0)) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     attach(GL_COLOR_ATTACHMENT0, color.id());
     requireComplete(width, height);
+}
+
+const ShaderProgram& Framebuffer::Resolver::program() {
+    if (!underlay) {
+        if (!plain) plain.emplace(ShaderProgram({{"backgroundVertex"}, {"resolveFragment"}}));
+        return *plain;
+    }
+    std::optional<ShaderProgram>& found = underlay->grid ? withGrid : withBackdrop;
+    if (!found)
+        found.emplace(ShaderProgram({{"backgroundVertex"}, {"backdrop", "resolveFragment"}},
+                                    underlay->defines() + "#define BACKDROP\n"));
+    return *found;
 }
 
 Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newFramebuffer()) {
@@ -103,7 +113,7 @@ Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newF
         // somebody else's; ours are asked for below
     }
     samples_ = affordable(std::clamp(samples, 1, std::max(maxSamples(), 1)), width, height);
-    target_ = {framebuffer_.id(), width, height};
+    target_ = {.framebuffer = framebuffer_.id(), .width = width, .height = height};
     depth_ = Renderbuffer(newRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples_ > 1 ? samples_ : 0));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     attach(GL_DEPTH_ATTACHMENT, depth_.id());
@@ -116,7 +126,9 @@ Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newF
         attach(GL_COLOR_ATTACHMENT0, color_.id());
     }
     requireComplete(width, height);
-    if (samples_ > 1) resolver_.emplace(width, height);
+    if (samples_ == 1) return;
+    resolver_ = std::make_unique<Resolver>(width, height);
+    target_.underlay = &resolver_->underlay;
 }
 
 void Framebuffer::resolve() const {
@@ -127,14 +139,19 @@ void Framebuffer::resolve() const {
     glBindFramebuffer(GL_FRAMEBUFFER, resolver_->framebuffer.id());
     glViewport(0, 0, width(), height());
     glEnable(GL_FRAMEBUFFER_SRGB);
-    for (const GLenum state :
-         std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE})
+    for (const GLenum state : std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE})
         glDisable(state);
+    // Changes nothing, but has software OpenGL compile the shader once: without blending it makes a second one, for
+    // blocks of pixels that a triangle covers wholly.
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ZERO);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samplesTexture_.id());
-    resolver_->program.start();
-    resolver_->program.setSampler("samples", 0);
-    setUniform(resolver_->program.uniform("sampleCount"), samples_);
+    const ShaderProgram& program = resolver_->program();
+    program.start();
+    program.setSampler("samples", 0);
+    setUniform(program.uniform("sampleCount"), samples_);
+    if (resolver_->underlay) resolver_->underlay->load(program);
     resolver_->noInputs.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "io/Image.h"
@@ -37,21 +38,23 @@ private:
     void resolve() const;
 
     using Renderbuffer = GlObject<gl::deleteRenderbuffer>;
-    // What a multisampled picture is resolved with. Our own shader, because the one that software OpenGL makes for
-    // glBlitFramebuffer is compiled anew in each process, for 50 ms.
+    // What a multisampled picture is resolved with, the backdrop on the same way. Our own shader, because the one that
+    // software OpenGL makes for glBlitFramebuffer is compiled anew in each process, for 50 ms.
     struct Resolver {
         Resolver(int width, int height);
+        const ShaderProgram& program();  // for the underlay as it is
 
         GlObject<gl::deleteFramebuffer> framebuffer;
         Renderbuffer color;
-        ShaderProgram program;
         Vao noInputs;
+        std::optional<Backdrop> underlay;
+        std::optional<ShaderProgram> plain, withBackdrop, withGrid;  // made when first needed
     };
 
     GlObject<gl::deleteFramebuffer> framebuffer_;
     GlObject<gl::deleteTexture> samplesTexture_;  // the colours, where there are several a pixel
     Renderbuffer color_, depth_;
-    std::optional<Resolver> resolver_;
+    std::unique_ptr<Resolver> resolver_;  // null where there is a single sample
     RenderTarget target_;
     int samples_ = 0;
 };

@@ -34,6 +34,7 @@ void InstanceStates::prepareInstance(const AnimatedModel& model, std::size_t i) 
     state.deform.vertexCount = static_cast<int>(mesh.vertexCount());
     addPalette(model, i);
     const ModelResource::Instance& resource = model.resource()->instances()[i];
+    if (resource.influenceBuffers) state.deform.influenceCount = resource.influenceBuffers->count;
     if (resource.deformedOnCpu) deformOnCpu(model, i);
     if (resource.morphCount > 0) addMorphs(model, i);
 }

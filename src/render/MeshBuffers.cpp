@@ -95,15 +95,18 @@ InfluenceBuffers::InfluenceBuffers(const Influences& influences, const MeshData&
         }
         ofPosition[p].last = static_cast<std::uint32_t>(beyond.size());
     }
+    std::uint32_t most = 1;
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
         const std::uint32_t p = mesh.vertexPositions[v], first = influences.first[p];
-        const std::uint32_t count = std::min(influences.first[p + 1] - first, kFastInfluences);
-        for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t here = std::min(influences.first[p + 1] - first, kFastInfluences);
+        most = std::max(most, here);
+        for (std::uint32_t i = 0; i < here; ++i) {
             jointIds[v][i] = influences.influences[first + i].joint;
             jointWeights[v][i] = influences.influences[first + i].weight;
         }
         ranges[v] = ofPosition[p];
     }
+    count = static_cast<int>(most);
     joints.store(view(jointIds));
     weights.store(view(jointWeights));
     if (beyond.empty()) return;

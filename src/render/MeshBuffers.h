@@ -30,6 +30,7 @@ struct InfluenceBuffers {
 
     void feed(Vao& vao) const;
 
+    int count = 1;  // the most that one of the vertices has of its four
     Vbo joints, weights, moreRanges;
     std::optional<BufferTexture> more;  // none where no vertex has more than four
 };

@@ -97,7 +97,8 @@ bool mayBeTransparent(const Model& model, int material) {
 ModelResource::ModelResource(const Model& model, std::size_t maxTexels) {
     addTextures(model);
     for (const MeshInstance& instance : model.instances) {
-        for (const PartMaterial& part : instance.materials) separateCoords_ |= usesSeveralSets(model, part);
+        for (const PartMaterial& part : instance.materials)
+            needs_.separateCoords |= usesSeveralSets(model, part);
     }
     instances_.reserve(model.instances.size());
     for (const MeshInstance& instance : model.instances) addInstance(model, instance, maxTexels);
@@ -121,8 +122,8 @@ void ModelResource::addTextures(const Model& model) {
 
 void ModelResource::addTexture(const Model& model, int i, Slot slot) {
     if (!hasPicture(model, i)) return;
-    texturedSlots_ |= 1u << static_cast<unsigned>(slot);
-    bumpMapped_ |= slot == Slot::Bump;
+    needs_.texturedSlots |= 1u << static_cast<unsigned>(slot);
+    needs_.bumped |= slot == Slot::Bump;
     auto& texture = (texelKind(slot) == TexelKind::Data ? dataTextures_ : colorTextures_)[index(i)];
     if (!texture) texture.emplace(GlTexture(model.textures[index(i)], texelKind(slot)));
 }
@@ -137,11 +138,13 @@ void ModelResource::addInstance(const Model& model, const MeshInstance& instance
         resource.morphCount = leadingMorphs(instance);
         if (resource.morphCount > 0)
             resource.morphBuffers = &morphBuffers(model, instance, resource.morphCount);
+        needs_.morphs |= resource.morphCount > 0;
         if (resource.morphCount < instance.deformers.size()) {
             const Deformer& deformer = instance.deformers.back();
             resource.skin = deformer.index;
             resource.influences = deformer.influences;
             resource.influenceBuffers = &influenceBuffers(model, deformer.influences, instance.mesh);
+            needs_.moreInfluences |= resource.influenceBuffers->more.has_value();
         }
     }
     for (std::size_t i = 0; i < mesh.parts.size(); ++i)
@@ -156,7 +159,10 @@ ModelResource::Part ModelResource::part(const Model& model, const MeshInstance& 
     bound.texCoordSets = neededSets(model, bound, mesh.texCoordSets.size());
     Part part{mesh.parts[i].primitive, mesh.parts[i].firstIndex, mesh.parts[i].indexCount, bound.material};
     part.vao = vaoFor(model, instance, bound, resource);
-    if (mayBeTransparent(model, bound.material)) part.middle = middlePosition(mesh, mesh.parts[i]);
+    needs_.vertexColors |= !mesh.colors.empty();
+    if (!mayBeTransparent(model, bound.material)) return part;
+    needs_.seeThrough = true;
+    part.middle = middlePosition(mesh, mesh.parts[i]);
     return part;
 }
 
@@ -177,7 +183,8 @@ std::size_t ModelResource::vaoFor(const Model& model, const MeshInstance& instan
     for (std::size_t s = 0; s < material.texCoordSets.size(); ++s) {
         const int set = material.texCoordSets[s];
         if (set < 0 || mesh.texCoordSets[index(set)].empty()) continue;
-        const auto location = VertexInput::kTextureCoords + (separateCoords_ ? static_cast<GLuint>(s) : 0u);
+        const auto location =
+            VertexInput::kTextureCoords + (needs_.separateCoords ? static_cast<GLuint>(s) : 0u);
         vao.floats(location, mesh.texCoordSets[index(set)], 2);
     }
     // Last, so that they take the place of the mesh's own.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,20 @@
 #include "render/MeshBuffers.h"
 
 namespace walkcycle {
+
+// What a model asks of its shaders. All its materials and meshes together, so that one shader draws all of it; what none
+// of them has is not compiled.
+struct ShaderNeeds {
+    std::uint32_t texturedSlots = 0;  // a bit per Slot
+    bool separateCoords = false;      // slots of one part use different texture coordinates
+    bool bumped = false;
+    bool vertexColors = false;
+    bool seeThrough = false;
+    bool morphs = false;
+    bool moreInfluences = false;  // more than four a vertex
+
+    auto operator<=>(const ShaderNeeds&) const = default;
+};
 
 // A model's buffers and textures on the GPU, shared by every AnimatedModel of it. Belongs to the OpenGL context that
 // was current when it was made.
@@ -48,10 +63,7 @@ public:
     const GlTexture* texture(int index, Slot slot) const;
     const GlTexture& white() const { return white_; }
 
-    // What the model's materials use, from which the shader's one variant is made.
-    std::uint32_t texturedSlots() const { return texturedSlots_; }
-    bool separateCoords() const { return separateCoords_; }
-    bool bumpMapped() const { return bumpMapped_; }
+    const ShaderNeeds& needs() const { return needs_; }
 
 private:
     using VaoKey = std::array<int, 4 + kSlotCount>;
@@ -74,9 +86,7 @@ private:
     std::vector<Vao> vaos_;
     std::vector<std::optional<GlTexture>> colorTextures_, dataTextures_;
     GlTexture white_ = GlTexture::white();
-    std::uint32_t texturedSlots_ = 0;
-    bool separateCoords_ = false;
-    bool bumpMapped_ = false;
+    ShaderNeeds needs_;
 };
 
 }  // namespace walkcycle

@@ -11,9 +11,6 @@ struct Captured {
 
 }  // namespace
 
-VertexCapture::VertexCapture()
-    : program_({{"animatedModelVertex"}, {}}, {}, kOutputs), deform_((program_.start(), program_)) {}
-
 VertexCapture::Vertices VertexCapture::capture(const AnimatedModel& model, std::size_t instance) {
     const ModelResource::Instance& resource = model.resource()->instances()[instance];
     const MeshInstance& data = model.model().instances[instance];
@@ -21,8 +18,11 @@ VertexCapture::Vertices VertexCapture::capture(const AnimatedModel& model, std::
     if (resource.parts.empty() || count == 0) return {};
 
     states_.prepare(model);
-    program_.start();
-    deform_.load(states_.bind(model, instance));
+    const ShaderProgram program({{"animatedModelVertex"}, {}}, deformDefines(model.resource()->needs()),
+                                kOutputs);
+    program.start();
+    const DeformUniforms deform(program);
+    deform.load(states_.bind(model, instance));
     model.resource()->vao(resource.parts.front().vao).bind();
     std::vector<Captured> captured(count);
     Vbo feedback(GL_TRANSFORM_FEEDBACK_BUFFER);

@@ -13,8 +13,6 @@ namespace walkcycle {
 // transform feedback and without drawing. Tests compare it with CpuSkinning.
 class VertexCapture {
 public:
-    VertexCapture();
-
     struct Vertices {
         std::vector<glm::vec3> positions;  // in model space, one per vertex
         std::vector<glm::vec3> normals;
@@ -22,8 +20,6 @@ public:
     Vertices capture(const AnimatedModel& model, std::size_t instance);
 
 private:
-    ShaderProgram program_;
-    DeformUniforms deform_;
     InstanceStates states_;
 };
 

@@ -5,10 +5,18 @@ layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in uvec4 in_jointIndices;     // the first four influences
 layout(location = 3) in vec4 in_weights;
+#ifdef MORE_INFLUENCES
 layout(location = 4) in uvec2 in_moreInfluences;   // from which to before which entry of moreInfluences
+#endif
+#ifdef MORPHS
 layout(location = 5) in uint in_positionIndex;     // which of the file's positions this vertex stands at
+#endif
+#ifdef VERTEX_COLORS
 layout(location = 6) in vec4 in_color;
+#endif
+#ifdef BUMP
 layout(location = 7) in vec4 in_tangent;
+#endif
 #ifdef SEPARATE_COORDS
 layout(location = 8) in vec2 in_textureCoords[7];  // one per slot of the material
 #else
@@ -21,7 +29,8 @@ uniform samplerBuffer morphs;          // target, coefficient
 uniform samplerBuffer positionDeltas;  // target after target, one per position
 uniform samplerBuffer normalDeltas;    // target after target, one per vertex
 
-uniform int firstJoint;  // where this instance's palette begins
+uniform int firstJoint;      // where this instance's palette begins
+uniform int influenceCount;  // how many of the first four its vertices use at most
 uniform ivec2 morphRange;
 uniform int positionCount;
 uniform int vertexCount;
@@ -29,7 +38,9 @@ uniform mat4 viewProjection;
 
 out vec3 modelPosition;
 out vec3 modelNormal;
+#ifdef VERTEX_COLORS
 out vec4 vertexColor;
+#endif
 #ifdef BUMP
 out vec4 modelTangent;
 #endif
@@ -46,14 +57,14 @@ mat3x4 jointTransform(uint joint) {
 }
 
 mat3x4 sumOfInfluences() {
-    mat3x4 sum = jointTransform(in_jointIndices.x) * in_weights.x;
-    if (in_weights.y != 0.0) sum += jointTransform(in_jointIndices.y) * in_weights.y;
-    if (in_weights.z != 0.0) sum += jointTransform(in_jointIndices.z) * in_weights.z;
-    if (in_weights.w != 0.0) sum += jointTransform(in_jointIndices.w) * in_weights.w;
+    mat3x4 sum = mat3x4(0.0);
+    for (int i = 0; i < influenceCount; ++i) sum += jointTransform(in_jointIndices[i]) * in_weights[i];
+#ifdef MORE_INFLUENCES
     for (uint i = in_moreInfluences.x; i < in_moreInfluences.y; ++i) {
         uvec2 influence = texelFetch(moreInfluences, int(i)).xy;
         sum += jointTransform(influence.x) * uintBitsToFloat(influence.y);
     }
+#endif
     return sum;
 }
 
@@ -70,15 +81,19 @@ vec3 turnNormal(mat3x4 rows, vec3 normal) {
 void main() {
     vec3 position = in_position;
     vec3 normal = in_normal;
+#ifdef MORPHS
     for (int i = morphRange.x; i < morphRange.y; ++i) {
         vec2 morph = texelFetch(morphs, i).xy;
         position += morph.y * texelFetch(positionDeltas, int(morph.x) * positionCount + int(in_positionIndex)).xyz;
         normal += morph.y * texelFetch(normalDeltas, int(morph.x) * vertexCount + gl_VertexID).xyz;
     }
+#endif
     mat3x4 transform = sumOfInfluences();
     modelPosition = vec4(position, 1.0) * transform;
     modelNormal = turnNormal(transform, normal);
+#ifdef VERTEX_COLORS
     vertexColor = in_color;
+#endif
 #ifdef BUMP
     modelTangent = vec4(vec4(in_tangent.xyz, 0.0) * transform, in_tangent.w);
 #endif

@@ -27,7 +27,10 @@ vec3 ambient() {
 }
 
 vec3 diffuse() {
-    vec3 color = slotValue(DIFFUSE) * vertexColor.rgb;
+    vec3 color = slotValue(DIFFUSE);
+#ifdef VERTEX_COLORS
+    color *= vertexColor.rgb;
+#endif
 #if (TEXTURED & 4) != 0
     color *= PICTURE(DIFFUSE).rgb;
 #endif
@@ -87,5 +90,5 @@ void main() {
             color += intensity.rgb * amount * (surface * facing + shine * highlight(normal, towardsLight, view));
         }
     }
-    give(decoded(min(color, vec3(1.0))), alpha);
+    giveEncoded(min(color, vec3(1.0)), alpha);
 }

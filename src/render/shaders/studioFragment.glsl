@@ -14,7 +14,10 @@ const vec3 GROUND = vec3(0.11, 0.10, 0.09);
 float soft(vec3 normal, vec3 light) { return max((dot(normal, light) + 0.25) / 1.25, 0.0); }
 
 vec3 baseColor() {
-    vec3 color = decoded(slotColors[DIFFUSE].rgb) * decoded(vertexColor.rgb);
+    vec3 color = slotColors[DIFFUSE].rgb;
+#ifdef VERTEX_COLORS
+    color *= decoded(vertexColor.rgb);
+#endif
 #if (TEXTURED & 4) != 0
     color *= texture(slotTextures[DIFFUSE], COORDS(DIFFUSE)).rgb;
 #endif
@@ -22,7 +25,7 @@ vec3 baseColor() {
 }
 
 vec3 emission() {
-    vec3 color = decoded(slotColors[EMISSION].rgb);
+    vec3 color = slotColors[EMISSION].rgb;
 #if (TEXTURED & 1) != 0
     color *= texture(slotTextures[EMISSION], COORDS(EMISSION)).rgb;
 #endif
@@ -42,5 +45,5 @@ void main() {
     vec3 halfway = normalize(keyDirection + view);
     float grazing = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
     float sheen = 0.05 * pow(max(dot(normal, halfway), 0.0), 24.0) + 0.04 * grazing;
-    give(baseColor() * light + vec3(sheen) + emission(), alpha);
+    giveLight(baseColor() * light + vec3(sheen) + emission(), alpha);
 }

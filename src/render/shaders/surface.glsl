@@ -2,7 +2,9 @@
 // TEXTURED has a bit for each slot of the material that has a picture somewhere in the model.
 in vec3 modelPosition;
 in vec3 modelNormal;
+#ifdef VERTEX_COLORS
 in vec4 vertexColor;
+#endif
 #ifdef BUMP
 in vec4 modelTangent;
 #endif
@@ -16,16 +18,17 @@ in vec2 textureCoords;
 
 const int EMISSION = 0, AMBIENT = 1, DIFFUSE = 2, SPECULAR = 3, REFLECTIVE = 4, TRANSPARENT = 5, BUMPMAP = 6;
 
-uniform vec4 slotColors[7];  // as in the file, not linear
+uniform vec4 slotColors[7];  // as in the file; the studio has diffuse and emission as light
 #if TEXTURED != 0
 uniform sampler2D slotTextures[7];
 #endif
 
-uniform int opaqueMode;       // -1: solid; else A_ONE, RGB_ZERO, A_ZERO, RGB_ONE
+uniform vec4 eye;  // the camera's position, w = 1, or the direction towards it, w = 0
+#ifdef SEE_THROUGH
+uniform int opaqueMode;  // -1: solid; else A_ONE, RGB_ZERO, A_ZERO, RGB_ONE
 uniform float transparency;
-uniform ivec2 pass;           // x: 0 all, 1 only what is solid, 2 only what is not; y: 0 all, -1 backs, 1 fronts
-uniform bool encodesItself;   // the target does not turn linear light into sRGB
-uniform vec4 eye;             // the camera's position, w = 1, or the direction towards it, w = 0
+uniform ivec2 pass;      // x: 0 all, 1 only what is solid, 2 only what is not; y: 0 all, -1 backs, 1 fronts
+#endif
 
 out vec4 out_color;
 
@@ -43,6 +46,7 @@ vec3 decoded(vec3 c) {
 #define PICTURE(slot) fileColor(texture(slotTextures[slot], COORDS(slot)))
 vec4 fileColor(vec4 light) { return vec4(encoded(light.rgb), light.a); }
 
+#ifdef SEE_THROUGH
 vec4 transparentColor() {
 #if (TEXTURED & 32) != 0
     return slotColors[TRANSPARENT] * PICTURE(TRANSPARENT);
@@ -59,6 +63,9 @@ float opacity() {
     float amount = (opaqueMode == 0 || opaqueMode == 2 ? color.a : luminance) * transparency;
     return clamp(opaqueMode == 0 || opaqueMode == 3 ? amount : 1.0 - amount, 0.0, 1.0);
 }
+#else
+float opacity() { return 1.0; }
+#endif
 
 vec3 towardsEye() { return normalize(eye.w > 0.5 ? eye.xyz - modelPosition : eye.xyz); }
 
@@ -98,14 +105,19 @@ vec3 facingNormal(vec3 view, out float side) {
 
 // Throws away what another pass draws.
 void keepForPass(float alpha, float side) {
+#ifdef SEE_THROUGH
     bool solid = alpha > 0.996;
     if (pass.x == 1 && !solid) discard;
     if (pass.x == 2 && (solid || alpha <= 0.0)) discard;
     if (pass.y != 0 && float(pass.y) != side) discard;
+#endif
 }
 
-// Colours leave as linear light, premultiplied with their alpha.
-void give(vec3 light, float alpha) {
-    vec3 color = encodesItself ? encoded(light) : clamp(light, 0.0, 1.0);
-    out_color = vec4(color * alpha, alpha);
-}
+// Colours leave premultiplied with their alpha: as linear light, or encoded where the target does not do that.
+#ifdef ENCODES_ITSELF
+void giveLight(vec3 light, float alpha) { out_color = vec4(encoded(light) * alpha, alpha); }
+void giveEncoded(vec3 color, float alpha) { out_color = vec4(clamp(color, 0.0, 1.0) * alpha, alpha); }
+#else
+void giveLight(vec3 light, float alpha) { out_color = vec4(clamp(light, 0.0, 1.0) * alpha, alpha); }
+void giveEncoded(vec3 color, float alpha) { giveLight(decoded(color), alpha); }
+#endif
