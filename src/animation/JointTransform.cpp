@@ -26,8 +26,17 @@ glm::quat slerp(const glm::quat& a, const glm::quat& b, float progression) {
 
 }  // namespace
 
+// glm::mat3_cast takes the quaternion's length for exactly 1; the little that rounding makes of it would scale each
+// joint of a long chain.
 glm::mat4 JointTransform::toMatrix() const {
-    const glm::mat3 turn = glm::mat3_cast(rotation);
+    const glm::quat& q = rotation;
+    const glm::vec3 twice = glm::vec3(q.x, q.y, q.z) * (2.0f / glm::dot(q, q));
+    const float xx = q.x * twice.x, yy = q.y * twice.y, zz = q.z * twice.z;
+    const float xy = q.x * twice.y, xz = q.x * twice.z, yz = q.y * twice.z;
+    const float wx = q.w * twice.x, wy = q.w * twice.y, wz = q.w * twice.z;
+    const glm::mat3 turn(1.0f - (yy + zz), xy + wz, xz - wy,  // a column each
+                         xy - wz, 1.0f - (xx + zz), yz + wx,  //
+                         xz + wy, yz - wx, 1.0f - (xx + yy));
     return {glm::vec4(turn[0] * scale.x, 0.0f), glm::vec4(turn[1] * scale.y, 0.0f),
             glm::vec4(turn[2] * scale.z, 0.0f), glm::vec4(position, 1.0f)};
 }

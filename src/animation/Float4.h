@@ -1,0 +1,64 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "animation/JointRows.h"
+
+namespace walkcycle {
+
+// Four floats that the processor works on at once. GCC's and clang's own vector type: the usual operators work on all
+// four lanes, and it becomes SSE, NEON or plain code, whatever the machine has.
+using Float4 = float __attribute__((vector_size(16)));
+
+inline Float4 splat(float x) {
+    return Float4{x, x, x, x};
+}
+
+template <int kLane>
+Float4 splatLane(Float4 v) {
+    return __builtin_shufflevector(v, v, kLane, kLane, kLane, kLane);
+}
+
+// 0 0 0 w.
+inline Float4 onlyLast(Float4 v) {
+    using Bits = std::int32_t __attribute__((vector_size(16)));
+    return reinterpret_cast<Float4>(reinterpret_cast<Bits>(v) & Bits{0, 0, 0, -1});
+}
+
+// Lane i of the four becomes row i.
+inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
+    const Float4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                 cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+    const Float4 abHigh = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const Float4 cdHigh = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    a = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
+    b = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+    c = __builtin_shufflevector(abHigh, cdHigh, 0, 1, 4, 5);
+    d = __builtin_shufflevector(abHigh, cdHigh, 2, 3, 6, 7);
+}
+
+// An affine matrix in registers, row by row.
+struct Rows {
+    Float4 x, y, z;
+};
+
+// One row of a * b.
+inline Float4 timesRows(Float4 a, const Rows& b) {
+    return splatLane<0>(a) * b.x + splatLane<1>(a) * b.y + splatLane<2>(a) * b.z + onlyLast(a);
+}
+
+inline Rows operator*(const Rows& a, const Rows& b) {
+    return {timesRows(a.x, b), timesRows(a.y, b), timesRows(a.z, b)};
+}
+
+inline Rows load(const JointRows& joint) {
+    return std::bit_cast<Rows>(joint);
+}
+
+inline void store(const Rows& rows, JointRows& joint) {
+    joint = std::bit_cast<JointRows>(rows);
+}
+
+}  // namespace walkcycle

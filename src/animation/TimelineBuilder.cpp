@@ -1,0 +1,252 @@
+#include "animation/TimelineBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "animation/ExactChannel.h"
+
+namespace walkcycle {
+namespace {
+
+using Side = ExactChannel::Side;
+using Group = ClipTimeline::Group;
+
+constexpr std::size_t kLanes = 4;
+
+constexpr std::size_t kMostTimesTheKeys = 4;  // what a shared timeline may cost
+constexpr std::size_t kSmall = 1024;          // transforms that nobody counts
+constexpr double kSame = 1e-8;                // less than a float can tell
+
+// A joint's channel on its way into a timeline, and which of its parts change.
+struct Lane {
+    ExactChannel channel;
+    int slot = 0;
+    bool turns = false, moves = false, scales = false;
+
+    // Lanes with like needs come to stand in one group.
+    int kind() const {
+        return (channel.isMatrix() ? 16 : 0) + (channel.isCubic() ? 8 : 0) + (moves ? 4 : 0) +
+               (scales ? 2 : 0) + (turns ? 1 : 0);
+    }
+};
+
+// A row, and which side of its time it is.
+struct RowTime {
+    double seconds = 0.0;
+    Side side = Side::Right;
+};
+
+std::vector<double> merged(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> both;
+    both.reserve(std::max(a.size(), b.size()));
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
+
+glm::dquat nearest(const glm::dquat& a, const glm::dquat& b) {
+    return glm::dot(a, b) < 0.0 ? -b : b;
+}
+
+bool differ(const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::distance(a, b) > kSame * glm::length(b);
+}
+
+// Makes one timeline of the channels that share it.
+class Builder {
+public:
+    explicit Builder(std::span<Lane> lanes) : lanes_(lanes) {}
+
+    ClipTimeline build(const std::vector<double>& times) {
+        makeRows(times);
+        makeGrid();
+        for (Lane& lane : lanes_) findChanges(lane);
+        std::stable_sort(lanes_.begin(), lanes_.end(),
+                         [](const Lane& a, const Lane& b) { return a.kind() < b.kind(); });
+        layOut();
+        timeline_.numbers.resize((rows_.size() + 1) * timeline_.width, splat(0.0f));
+        for (std::size_t row = 0; row < rows_.size(); ++row) fill(row);
+        const auto width = static_cast<std::ptrdiff_t>(timeline_.width);
+        std::copy_n(timeline_.numbers.end() - 2 * width, width, timeline_.numbers.end() - width);
+        return std::move(timeline_);
+    }
+
+private:
+    void makeRows(const std::vector<double>& times) {
+        std::vector<double> jumps;
+        for (const Lane& lane : lanes_) jumps = merged(jumps, lane.channel.jumps());
+        for (const double seconds : times) {
+            if (std::binary_search(jumps.begin(), jumps.end(), seconds))
+                rows_.push_back({seconds, Side::Left});
+            rows_.push_back({seconds, Side::Right});
+        }
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const double length = i + 1 < rows_.size() ? rows_[i + 1].seconds - rows_[i].seconds : 0.0;
+            timeline_.times.push_back(rows_[i].seconds);
+            timeline_.rates.push_back(length > 0.0 ? 1.0 / length : 0.0);
+        }
+    }
+
+    // Two cells a row: where rows are evenly spaced, a cell begins with the row wanted or the one before it.
+    void makeGrid() {
+        const std::size_t cells = 2 * rows_.size();
+        const double rate = static_cast<double>(cells) / (rows_.back().seconds - rows_.front().seconds);
+        timeline_.cellsPerSecond = std::isfinite(rate) ? rate : 0.0;
+        timeline_.grid.assign(cells + 1, 0);
+        for (std::size_t row = 0; row < rows_.size(); ++row)
+            timeline_.grid[timeline_.cellAt(rows_[row].seconds) + 1] = static_cast<std::uint32_t>(row);
+        for (std::size_t cell = 1; cell <= cells; ++cell)
+            timeline_.grid[cell] = std::max(timeline_.grid[cell], timeline_.grid[cell - 1]);
+    }
+
+    // Each row is held against the first, so that nothing drifts away unseen.
+    void findChanges(Lane& lane) const {
+        if (lane.channel.isMatrix()) return;
+        lane.turns = lane.moves = lane.scales = lane.channel.isCubic();
+        if (lane.channel.isCubic()) return;
+        const auto first = lane.channel.transformAt(rows_.front().seconds, rows_.front().side);
+        for (const RowTime& row : rows_) {
+            const auto at = lane.channel.transformAt(row.seconds, row.side);
+            const glm::dquat turned = nearest(first.rotation, at.rotation) - first.rotation;
+            lane.turns = lane.turns || std::sqrt(glm::dot(turned, turned)) > kSame;
+            lane.moves = lane.moves || differ(at.position, first.position);
+            lane.scales = lane.scales || differ(at.scale, first.scale);
+        }
+    }
+
+    int place(bool isNeeded, std::size_t numbers) {
+        if (!isNeeded) return Group::kNoPlace;
+        timeline_.width += numbers;
+        return static_cast<int>(timeline_.width - numbers);
+    }
+
+    void layOut() {
+        std::size_t next = 0;
+        while (next < lanes_.size() && !lanes_[next].channel.isMatrix()) next = addGroup(next);
+        for (; next < lanes_.size(); ++next)
+            timeline_.matrices.push_back({lanes_[next].slot, place(true, 3)});
+    }
+
+    // Returns the first lane that is not in it any more.
+    std::size_t addGroup(std::size_t first) {
+        Group group;
+        group.isCubic = lanes_[first].channel.isCubic();
+        bool turns = false, moves = false, scales = false;
+        std::size_t end = first;
+        for (; end < std::min(lanes_.size(), first + kLanes); ++end) {
+            const Lane& lane = lanes_[end];
+            if (lane.channel.isMatrix() || lane.channel.isCubic() != group.isCubic) break;
+            turns = turns || lane.turns;
+            moves = moves || lane.moves;
+            scales = scales || lane.scales;
+        }
+        const std::size_t each = group.isCubic ? 4 : 1;
+        group.rotationAt = place(turns, 4 * each);
+        group.positionAt = place(moves, 3 * each);
+        group.scaleAt = place(scales, 3 * each);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::size_t lane = std::min(first + i, end - 1);
+            group.slots[i] = lanes_[lane].slot;
+            members_.push_back(&lanes_[lane]);
+        }
+        timeline_.groups.push_back(group);
+        return end;
+    }
+
+    void fill(std::size_t row) {
+        Float4* numbers = &timeline_.numbers[row * timeline_.width];
+        for (std::size_t g = 0; g < timeline_.groups.size(); ++g)
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const ExactChannel& channel = members_[g * kLanes + i]->channel;
+                if (timeline_.groups[g].isCubic)
+                    fillCubic(channel, timeline_.groups[g], row, i, numbers);
+                else
+                    fillStraight(channel, timeline_.groups[g], row, i, numbers);
+            }
+        const std::size_t firstMatrix = lanes_.size() - timeline_.matrices.size();
+        for (std::size_t m = 0; m < timeline_.matrices.size(); ++m) {
+            const ExactChannel& channel = lanes_[firstMatrix + m].channel;
+            const glm::dmat4 matrix = channel.matrixAt(rows_[row].seconds, rows_[row].side);
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 4; ++c)
+                    numbers[timeline_.matrices[m].at + r][c] = static_cast<float>(matrix[c][r]);
+        }
+    }
+
+    void fillStraight(const ExactChannel& channel, Group& group, std::size_t row, std::size_t lane,
+                      Float4* numbers) const {
+        auto at = channel.transformAt(rows_[row].seconds, rows_[row].side);
+        const auto store = [&](int place, Float4* constant, const auto& values, int count) {
+            Float4* into = place == Group::kNoPlace ? constant : numbers + place;
+            for (int c = 0; c < count; ++c) into[c][static_cast<int>(lane)] = static_cast<float>(values[c]);
+        };
+        if (row > 0 && group.rotationAt != Group::kNoPlace) {
+            const Float4* before = numbers - timeline_.width + group.rotationAt;
+            double side = 0.0;
+            for (int c = 0; c < 4; ++c)
+                side += static_cast<double>(before[c][static_cast<int>(lane)]) * at.rotation[c];
+            if (side < 0.0) at.rotation = -at.rotation;
+        }
+        store(group.rotationAt, group.rotation.data(), at.rotation, 4);
+        store(group.positionAt, group.position.data(), at.position, 3);
+        store(group.scaleAt, group.scale.data(), at.scale, 3);
+    }
+
+    void fillCubic(const ExactChannel& channel, const Group& group, std::size_t row, std::size_t lane,
+                   Float4* numbers) const {
+        const double begin = rows_[row].seconds;
+        const double end = row + 1 < rows_.size() ? rows_[row + 1].seconds : begin;
+        const ExactChannel::Cubics cubics = channel.cubicsBetween(begin, end);
+        const auto store = [&](int place, const auto& curves) {
+            for (const ExactChannel::Cubic& curve : curves)
+                for (const double coefficient : curve)
+                    numbers[place++][static_cast<int>(lane)] = static_cast<float>(coefficient);
+        };
+        store(group.rotationAt, cubics.rotation);
+        store(group.positionAt, cubics.position);
+        store(group.scaleAt, cubics.scale);
+    }
+
+    std::span<Lane> lanes_;
+    std::vector<RowTime> rows_;
+    std::vector<const Lane*> members_;  // of the groups, four each
+    ClipTimeline timeline_;
+};
+
+// A channel joins the timeline before it as long as all of them need not much more numbers there than their keys have.
+bool fits(std::size_t rows, std::size_t lanes, std::size_t keys) {
+    return rows * lanes <= kMostTimesTheKeys * keys + kSmall;
+}
+
+}  // namespace
+
+std::vector<ClipTimeline> makeTimelines(const Animation& animation, std::span<const int> slots) {
+    std::vector<Lane> lanes;
+    std::vector<bool> taken(slots.size());
+    for (auto channel = animation.channels.rbegin(); channel != animation.channels.rend(); ++channel) {
+        const auto joint = static_cast<std::size_t>(channel->joint);
+        if (slots[joint] < 0 || taken[joint]) continue;
+        if (channel->keyFrames.empty() && channel->matrixKeyFrames.empty()) continue;
+        taken[joint] = true;
+        lanes.push_back({ExactChannel(*channel), slots[joint]});
+    }
+    std::stable_sort(lanes.begin(), lanes.end(), [](const Lane& a, const Lane& b) {
+        return a.channel.times().size() > b.channel.times().size();
+    });
+    std::vector<ClipTimeline> timelines;
+    for (std::size_t first = 0; first < lanes.size();) {
+        std::vector<double> times = lanes[first].channel.times();
+        std::size_t keys = times.size(), end = first + 1;
+        for (; end < lanes.size(); ++end) {
+            std::vector<double> both = merged(times, lanes[end].channel.times());
+            keys += lanes[end].channel.times().size();
+            if (!fits(both.size(), end + 1 - first, keys)) break;
+            times = std::move(both);
+        }
+        timelines.push_back(Builder(std::span(lanes).subspan(first, end - first)).build(times));
+        first = end;
+    }
+    return timelines;
+}
+
+}  // namespace walkcycle
