@@ -10,14 +10,24 @@ namespace {
 constexpr std::size_t kBlock = 128;
 
 template <typename Test>
-std::size_t findFirst(std::string_view text, std::size_t from, Test test) {
+bool anyInBlock(const char* block, Test test) {
+    unsigned char any = 0;
+    for (std::size_t i = 0; i < kBlock; ++i) any |= test(static_cast<unsigned char>(block[i]));
+    return any != 0;
+}
+
+unsigned char leastInBlock(const char* block) {
+    unsigned char least = 0xFF;
+    for (std::size_t i = 0; i < kBlock; ++i) least = std::min(least, static_cast<unsigned char>(block[i]));
+    return least;
+}
+
+// `mayHold` is quicker than to try `test` on each, and true for all blocks that hold such a character.
+template <typename MayHold, typename Test>
+std::size_t findFirst(std::string_view text, std::size_t from, MayHold mayHold, Test test) {
     std::size_t at = from;
-    for (; at + kBlock <= text.size(); at += kBlock) {
-        const char* const block = text.data() + at;
-        unsigned char any = 0;
-        for (std::size_t i = 0; i < kBlock; ++i) any |= test(static_cast<unsigned char>(block[i]));
-        if (any) break;
-    }
+    for (; at + kBlock <= text.size(); at += kBlock)
+        if (mayHold(text.data() + at) && anyInBlock(text.data() + at, test)) break;
     while (at < text.size() && !test(static_cast<unsigned char>(text[at]))) ++at;
     return at;
 }
@@ -36,11 +46,14 @@ std::size_t countLineBreaks(std::string_view text) {
 }
 
 std::size_t findBeyondAscii(std::string_view text, std::size_t from) {
-    return findFirst(text, from, [](unsigned char c) { return static_cast<unsigned char>(c & 0x80); });
+    const auto test = [](unsigned char c) { return static_cast<unsigned char>(c & 0x80); };
+    return findFirst(
+        text, from, [](const char*) { return true; }, test);
 }
 
 std::size_t findForbiddenControl(std::string_view text) {
-    return findFirst(text, 0, [](unsigned char c) {
+    const auto mayHold = [](const char* block) { return leastInBlock(block) < ' '; };
+    return findFirst(text, 0, mayHold, [](unsigned char c) {
         return static_cast<unsigned char>((c < ' ') & (c != '\t') & (c != '\n') & (c != '\r'));
     });
 }

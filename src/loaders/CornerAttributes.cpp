@@ -68,17 +68,26 @@ void CornerAttributes::begin(const PrimitiveCorners& primitive) {
 void CornerAttributes::addStream(const CornerInput& input, const char* semantic, std::size_t target,
                                  std::size_t width) {
     if (!input.source) return;
-    streams_.push_back({&input, semantic, target, std::min(width, input.source->width), {}});
+    const FloatSource& source = *input.source;
+    streams_.push_back({&input,
+                        semantic,
+                        target,
+                        std::min(width, source.width),
+                        source.values.data(),
+                        source.count(),
+                        source.width,
+                        {}});
 }
 
 float* CornerAttributes::read(std::size_t corner) {
     const std::int32_t* indices = primitive_->corner(corner);
+    isWhole_ = true;
     values_[0] = values_[1] = values_[2] = 0.0f;  // the caller may have put a normal in for the last corner
     for (Stream& stream : streams_) {
         const std::int32_t index = indices[stream.input->offset];
-        const bool there = index >= 0 && static_cast<std::size_t>(index) < stream.input->source->count();
-        if (!there) stream.bad.add(corner, index);
-        const float* from = there ? (*stream.input->source)[static_cast<std::size_t>(index)]
+        const bool there = index >= 0 && static_cast<std::size_t>(index) < stream.count;
+        if (!there) stream.bad.add(corner, index), isWhole_ = false;
+        const float* from = there ? stream.values + static_cast<std::size_t>(index) * stream.stride
                                   : missing_.data() + stream.target;
         copyFew(from, stream.width, values_.data() + stream.target);
     }

@@ -34,6 +34,7 @@ public:
     // The numbers of a corner, until the next call. The normal is zero where the file has none that can be used; other
     // things that are missing are zero, colours white.
     float* read(std::size_t corner);
+    bool isWhole() const { return isWhole_; }     // all indices of the corner read last led somewhere
     void report(Diagnostics& diagnostics) const;  // what was wrong with the indices since begin()
 
     // Gives the mesh its texture coordinates, colours and normals (of unit length) from the joined vertices' numbers.
@@ -43,8 +44,10 @@ private:
     struct Stream {
         const CornerInput* input;
         const char* semantic;
-        std::size_t target;  // the first of its numbers among the values
-        std::size_t width;   // how many there are
+        std::size_t target;   // the first of its numbers among the values
+        std::size_t width;    // how many there are
+        const float* values;  // of the source: `count` entries, each `stride` numbers
+        std::size_t count, stride;
         BadIndices bad;
     };
     std::size_t targetOf(int set) const;
@@ -55,6 +58,7 @@ private:
     std::vector<float> values_, missing_;  // of the current corner; where the primitive has nothing
     const PrimitiveCorners* primitive_ = nullptr;
     std::vector<Stream> streams_;
+    bool isWhole_ = true;
 };
 
 }  // namespace walkcycle

@@ -27,7 +27,11 @@ double largest(const glm::dvec3& v) {
 }  // namespace
 
 MatrixParts StraightTransform::at(double progression) const {
-    return blend(a, b, progression);
+    MatrixParts parts;
+    parts.position = glm::mix(a.position, b.position, progression);
+    parts.rotation = turn.at(progression);
+    parts.stretch = a.stretch * (1.0 - progression) + b.stretch * progression;
+    return parts;
 }
 
 CurvedTransform CurvedTransform::throughFour(const MatrixParts& a, const MatrixParts& third,

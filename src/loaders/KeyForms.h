@@ -22,11 +22,12 @@ struct Tolerance {
 struct StraightTransform {
     using Value = MatrixParts;
     MatrixParts a, b;
+    Turn turn;
 
     template <typename Exact>
     static StraightTransform through(const Exact&, double, double, const MatrixParts& a,
                                      const MatrixParts& b) {
-        return {a, b};
+        return {a, b, Turn(a.rotation, b.rotation)};
     }
     const MatrixParts& end() const { return b; }
     MatrixParts at(double progression) const;

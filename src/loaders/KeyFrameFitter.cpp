@@ -62,10 +62,12 @@ std::vector<double> withTurnsCut(const JointMotion& motion, const std::vector<do
 class TransformOf {
 public:
     TransformOf(const JointMotion& motion, const Tolerance& tolerance)
-        : motion_(motion), tolerance_(tolerance) {}
+        : motion_(motion), tolerance_(tolerance), straight_(motion.isStraight()) {}
 
     MatrixParts at(double seconds, Side side) {
-        MatrixParts parts = partsOf(motion_.localTransform(seconds, side), near_);
+        const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr;
+        MatrixParts parts = key ? *key : partsOf(motion_.localTransform(seconds, side), near_);
+        if (key && glm::dot(parts.rotation, near_) < 0.0) parts.rotation = -parts.rotation;
         near_ = parts.rotation;
         const bool isMirrored = parts.stretch[0][0] < 0.0;
         if (first_) wasMirrored_ = isMirrored;
@@ -86,8 +88,20 @@ public:
     }
 
 private:
+    // The parts of a key that is a whole matrix, which its curve knows already; null where they say too little.
+    const MatrixParts* keyAt(double seconds) const {
+        const Curve& curve = *motion_.bindings[0].curve;
+        const auto time = std::lower_bound(curve.times.begin(), curve.times.end(), seconds);
+        const bool isKey = time != curve.times.end() && *time == seconds;
+        if (!isKey || (time + 1 != curve.times.end() && time[1] == seconds) || curve.parts.empty())
+            return nullptr;
+        const MatrixParts& parts = curve.parts[static_cast<std::size_t>(time - curve.times.begin())];
+        return parts.turns ? &parts : nullptr;
+    }
+
     const JointMotion& motion_;
     const Tolerance& tolerance_;
+    const bool straight_;
     glm::dquat near_{1.0, 0.0, 0.0, 0.0};
     bool first_ = true, wasMirrored_ = false, fits_ = true;
 };
@@ -101,12 +115,12 @@ KeyTangents::Rates toRates(const CurvedTransform::Numbers& n, double seconds) {
     return {{rate(0), rate(1), rate(2)}, {rate(6), rate(3), rate(4), rate(5)}, {rate(7), rate(8), rate(9)}};
 }
 
-void append(Channel& channel, const RunFitter<StraightTransform>::Keys& keys, bool isStep) {
+void append(Channel& channel, const RunKeys<StraightTransform>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i)
         channel.keyFrames.push_back({keys.times[i], toJointTransform(keys.values[i]), isStep});
 }
 
-void append(Channel& channel, const RunFitter<CurvedTransform>::Keys& keys, bool isStep) {
+void append(Channel& channel, const RunKeys<CurvedTransform>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i) {
         channel.keyFrames.push_back({keys.times[i], toJointTransform(keys.values[i]), isStep});
         KeyTangents& tangents = channel.tangents.emplace_back();
@@ -116,17 +130,17 @@ void append(Channel& channel, const RunFitter<CurvedTransform>::Keys& keys, bool
     }
 }
 
-void append(Channel& channel, const RunFitter<StraightMatrix>::Keys& keys, bool isStep) {
+void append(Channel& channel, const RunKeys<StraightMatrix>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i)
         channel.matrixKeyFrames.push_back({keys.times[i], glm::mat4(keys.values[i]), isStep});
 }
 
-void append(ParameterTrack& track, const RunFitter<StraightNumber>::Keys& keys, bool isStep) {
+void append(ParameterTrack& track, const RunKeys<StraightNumber>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i)
         track.keyFrames.push_back({keys.times[i], static_cast<float>(keys.values[i]), isStep});
 }
 
-void append(ParameterTrack& track, const RunFitter<CurvedNumber>::Keys& keys, bool isStep) {
+void append(ParameterTrack& track, const RunKeys<CurvedNumber>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i) {
         track.keyFrames.push_back({keys.times[i], static_cast<float>(keys.values[i]), isStep});
         const auto rate = [&](double tangent, std::size_t from) {
@@ -149,7 +163,7 @@ bool fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& toleran
             return exact(seconds, run.knots.size() > 1 && seconds == end ? Side::Left : Side::Right);
         };
         const std::vector<double> first{run.knots.front()};
-        RunFitter<Form> fitter(within, tolerance, isStraight, limit);
+        RunFitter<Form, decltype(within)> fitter(within, tolerance, isStraight, limit);
         const auto keys = fitter.fit(run.isStep ? first : run.knots);
         append(target, keys, run.isStep);
         isWithin = isWithin && keys.isWithin;

@@ -66,14 +66,22 @@ MatrixParts blend(const MatrixParts& a, const MatrixParts& b, double progression
     return parts;
 }
 
-glm::dquat turn(const glm::dquat& a, const glm::dquat& b, double progression) {
+Turn::Turn(const glm::dquat& a, const glm::dquat& b) : a_(a), b_(b) {
     double cosine = glm::dot(a, b);
-    const glm::dquat nearest = cosine < 0.0 ? -b : b;
+    if (cosine < 0.0) b_ = -b_;
     cosine = std::min(std::abs(cosine), 1.0);
-    if (cosine > 1.0 - 1e-12) return glm::normalize(a * (1.0 - progression) + nearest * progression);
-    const double angle = std::acos(cosine);
-    return (a * std::sin((1.0 - progression) * angle) + nearest * std::sin(progression * angle)) /
-           std::sin(angle);
+    if (cosine > 1.0 - 1e-12) return;
+    angle_ = std::acos(cosine);
+    sine_ = std::sin(angle_);
+}
+
+glm::dquat Turn::at(double progression) const {
+    if (sine_ == 0.0) return glm::normalize(a_ * (1.0 - progression) + b_ * progression);
+    return (a_ * std::sin((1.0 - progression) * angle_) + b_ * std::sin(progression * angle_)) / sine_;
+}
+
+glm::dquat turn(const glm::dquat& a, const glm::dquat& b, double progression) {
+    return Turn(a, b).at(progression);
 }
 
 }  // namespace walkcycle

@@ -28,7 +28,7 @@ public:
           mesh_(loaded.mesh),
           context_(context),
           attributes_(primitives),
-          joiner_(attributes_.count(), cornersOf(primitives)) {}
+          joiner_(attributes_.count(), positionsOf(primitives)) {}
 
     // Positions first, of all primitives: faces of different materials smooth into each other.
     void addPositions(const PrimitiveCorners& primitive);
@@ -38,21 +38,20 @@ public:
     std::uint32_t positionBase(const FloatSource& source);
 
 private:
-    static std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
-        std::size_t corners = 0;
-        for (const PrimitiveCorners& primitive : primitives) corners += primitive.cornerCount();
-        return corners;
+    static std::size_t positionsOf(const std::vector<PrimitiveCorners>& primitives) {
+        return primitives.empty() ? 0 : primitives.front().inputs.position.source->count();
     }
 
     void addLines(const PrimitiveCorners& primitive);
     void addFaces(const PrimitiveCorners& primitive);
-    bool joinRing(const Ring& ring, std::size_t meshCorner);
-    void useNormal(float* normal, std::size_t meshCorner);
+    bool joinRing(const PrimitiveCorners& primitive, const Ring& ring, std::size_t meshCorner);
+    std::uint32_t vertexOf(const PrimitiveCorners& primitive, std::size_t corner, std::size_t meshCorner);
+    bool useNormal(float* normal, std::size_t meshCorner);
     void cutFace(std::span<const Ring> rings);
     void addIndices(std::span<const std::uint32_t> corners);
     bool isPlainQuad(const Ring& quad);
     bool hasArea(const Ring& ring);
-    std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner);
+    std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner, std::size_t count);
     void report(const PrimitiveCorners& primitive);
 
     LoadedMesh& loaded_;
@@ -62,6 +61,8 @@ private:
     VertexJoiner joiner_;
     std::vector<std::pair<const FloatSource*, std::uint32_t>> positionSources_;
     std::size_t firstCorner_ = 0, firstRing_ = 0;  // of the current primitive, in loaded_.faces
+    // Per position: one more than the corner that was joined there last, of those with nothing wrong about them.
+    std::vector<std::uint32_t> lastJoined_;
     BadIndices badPositions_;
     std::size_t zeroNormals_ = 0, flatFaces_ = 0;
     std::vector<glm::vec3> madeNormals_;  // per corner of the faces; made when the first is needed
@@ -83,11 +84,10 @@ std::uint32_t Builder::positionBase(const FloatSource& source) {
     return base;
 }
 
-std::uint32_t Builder::positionAt(const PrimitiveCorners& primitive, std::size_t corner) {
-    const CornerInput& input = primitive.inputs.position;
-    const std::int32_t index = primitive.corner(corner)[input.offset];
-    if (index >= 0 && static_cast<std::size_t>(index) < input.source->count())
-        return static_cast<std::uint32_t>(index);
+// `count` is how many positions the primitive's source has.
+std::uint32_t Builder::positionAt(const PrimitiveCorners& primitive, std::size_t corner, std::size_t count) {
+    const std::int32_t index = primitive.corner(corner)[primitive.inputs.position.offset];
+    if (index >= 0 && static_cast<std::size_t>(index) < count) return static_cast<std::uint32_t>(index);
     badPositions_.add(corner, index);
     return kNoPosition;
 }
@@ -98,9 +98,10 @@ void Builder::addPositions(const PrimitiveCorners& primitive) {
     badPositions_ = {};
     MeshFaces& faces = loaded_.faces;
     const auto firstCorner = static_cast<std::uint32_t>(faces.cornerPositions.size());
-    faces.cornerPositions.resize(firstCorner + primitive.cornerCount(), kNoPosition);
-    for (std::size_t c = 0; c < primitive.cornerCount(); ++c) {
-        const std::uint32_t position = positionAt(primitive, c);
+    const std::size_t corners = primitive.cornerCount(), count = primitive.inputs.position.source->count();
+    faces.cornerPositions.resize(firstCorner + corners, kNoPosition);
+    for (std::size_t c = 0; c < corners; ++c) {
+        const std::uint32_t position = positionAt(primitive, c, count);
         if (position != kNoPosition) faces.cornerPositions[firstCorner + c] = base + position;
     }
     badPositions_.report(primitive, primitive.inputs.position, "VERTEX", context_.diagnostics);
@@ -131,9 +132,10 @@ void Builder::addPart(const PrimitiveCorners& primitive) {
 
 void Builder::addLines(const PrimitiveCorners& primitive) {
     const std::uint32_t base = positionBase(*primitive.inputs.position.source);
+    const std::size_t count = primitive.inputs.position.source->count();
     for (const Ring& line : primitive.rings) {
-        const std::uint32_t from = positionAt(primitive, line.firstCorner);
-        const std::uint32_t to = positionAt(primitive, line.firstCorner + 1);
+        const std::uint32_t from = positionAt(primitive, line.firstCorner, count);
+        const std::uint32_t to = positionAt(primitive, line.firstCorner + 1, count);
         if (from == kNoPosition || to == kNoPosition) continue;
         mesh_.indices.push_back(joiner_.add(base + from, attributes_.read(line.firstCorner)));
         mesh_.indices.push_back(joiner_.add(base + to, attributes_.read(line.firstCorner + 1)));
@@ -144,12 +146,14 @@ void Builder::addLines(const PrimitiveCorners& primitive) {
 
 void Builder::addFaces(const PrimitiveCorners& primitive) {
     const std::span<const Ring> rings(loaded_.faces.rings);
+    lastJoined_.resize(mesh_.positions.size(), 0);
     for (std::size_t r = 0; r < primitive.rings.size();) {
         const std::size_t end = endOfFace(primitive.rings, r);
         const std::size_t first = r;
         for (; r < end; ++r) {
             // A polygon without its outline is nothing; one without a hole is still a polygon.
-            const bool whole = joinRing(primitive.rings[r], firstCorner_ + primitive.rings[r].firstCorner);
+            const bool whole =
+                joinRing(primitive, primitive.rings[r], firstCorner_ + primitive.rings[r].firstCorner);
             if (!whole && r == first) break;
         }
         if (r == end) cutFace(rings.subspan(firstRing_ + first, end - first));
@@ -160,24 +164,43 @@ void Builder::addFaces(const PrimitiveCorners& primitive) {
 }
 
 // Makes vertices of a ring's corners, unless the position of one is not there.
-bool Builder::joinRing(const Ring& ring, std::size_t meshCorner) {
+bool Builder::joinRing(const PrimitiveCorners& primitive, const Ring& ring, std::size_t meshCorner) {
     const std::uint32_t* positions = loaded_.faces.cornerPositions.data() + meshCorner;
     if (std::find(positions, positions + ring.cornerCount, kNoPosition) != positions + ring.cornerCount)
         return false;
     for (std::uint32_t i = 0; i < ring.cornerCount; ++i) {
-        float* attributes = attributes_.read(ring.firstCorner + i);
-        useNormal(attributes, meshCorner + i);
-        loaded_.cornerVertices[meshCorner + i] = joiner_.add(positions[i], attributes);
+        loaded_.cornerVertices[meshCorner + i] = vertexOf(primitive, ring.firstCorner + i, meshCorner + i);
         mesh_.positionUsed[positions[i]] = true;
     }
     return true;
 }
 
-void Builder::useNormal(float* normal, std::size_t meshCorner) {
-    if (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > kLeastNormalSquared) return;
+// Most corners repeat all indices of the one before them at their position, and so are the same vertex.
+std::uint32_t Builder::vertexOf(const PrimitiveCorners& primitive, std::size_t corner,
+                                std::size_t meshCorner) {
+    const std::uint32_t position = loaded_.faces.cornerPositions[meshCorner];
+    std::uint32_t& last = lastJoined_[position];
+    if (last > firstCorner_) {
+        const std::int32_t* const own = primitive.corner(corner);
+        const std::int32_t* const other = primitive.corner(last - 1 - firstCorner_);
+        std::size_t same = 0;
+        while (same < primitive.inputs.stride && own[same] == other[same]) ++same;
+        if (same == primitive.inputs.stride) return loaded_.cornerVertices[last - 1];
+    }
+    float* const attributes = attributes_.read(corner);
+    const bool isPlain = useNormal(attributes, meshCorner) && attributes_.isWhole();
+    if (isPlain) last = static_cast<std::uint32_t>(meshCorner + 1);
+    return joiner_.add(position, attributes);
+}
+
+// False where the corner has none that can be used, and gets its face's.
+bool Builder::useNormal(float* normal, std::size_t meshCorner) {
+    if (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > kLeastNormalSquared)
+        return true;
     ++zeroNormals_;
     if (madeNormals_.empty()) madeNormals_ = smoothNormals(loaded_.faces, mesh_.positions, mesh_.positions);
     std::copy_n(&madeNormals_[meshCorner].x, 3, normal);
+    return false;
 }
 
 // Appends the triangles of a polygon (its outline and holes, all joined).

@@ -98,7 +98,7 @@ private:
 
 bool holdsNumberText(std::string_view elementName) {
     return elementName == "float_array" || elementName == "p" || elementName == "v" ||
-           elementName == "vcount";
+           elementName == "vcount" || elementName == "Name_array" || elementName == "IDREF_array";
 }
 
 std::optional<CutDocument> cutNumberText(std::string_view document) {

@@ -14,7 +14,7 @@ struct NumberText {
 };
 
 // Nearly all bytes of a document are numbers, and tinyxml2 walks each of its bytes twice. So the texts of the long lists
-// (<float_array>, <p>, <v>, <vcount>) are cut out before it sees the document; of each only its line breaks stay, so
+// (<float_array>, <p>, <v>, <vcount>, and of names, <Name_array> and <IDREF_array>) are cut out before it sees the document; of each only its line breaks stay, so
 // that every line number remains right.
 struct CutDocument {
     std::string remaining;

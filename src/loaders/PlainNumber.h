@@ -64,76 +64,86 @@ inline const char* readPlain(const char* at, std::int32_t& value) {
     return at;
 }
 
-// A whole number times a power of ten.
-struct PlainDecimal {
-    static constexpr int kMostDigits = 18;  // a longer number may not fit
+// Digits with a point behind one of them: a whole number, and how many of its digits are behind the point.
+struct PlainDigits {
     std::uint64_t number = 0;
-    int exponent = 0;
-    bool negative = false;
+    std::ptrdiff_t behindPoint = 0;
 };
 
-// What stands behind an 'e'.
-inline const char* readExponent(const char* at, int& exponent) {
+// Null where the first character is no digit, or a longer number might not fit.
+inline const char* readDigits(const char* at, PlainDigits& digits) {
+    constexpr std::ptrdiff_t kLongest = 19;  // eighteen digits and the point
+    const char* const first = at;
+    const auto digit = static_cast<unsigned char>(*at - '0');
+    if (digit >= 10) return nullptr;
+    digits.number = digit;
+    for (++at; isDigit(*at); ++at) digits.number = digits.number * 10 + static_cast<std::uint64_t>(*at - '0');
+    if (*at == '.') {
+        const char* const point = at++;
+        std::uint32_t some = 0;
+        int count = 8;
+        for (; count == 8; at += count) {
+            count = readUpToEightDigits(at, some);
+            digits.number = digits.number * kWholePowers[static_cast<std::size_t>(count)] + some;
+        }
+        digits.behindPoint = at - point - 1;
+    }
+    return at - first <= kLongest ? at : nullptr;
+}
+
+// What stands behind an 'e'; null where it is not a few digits.
+inline const char* readExponent(const char* at, std::ptrdiff_t& exponent) {
     const bool negative = *at == '-';
     if (negative || *at == '+') ++at;
     std::uint32_t number = 0;
     const int count = readUpToEightDigits(at, number);
     at += count;
-    if (count == 0 || count > 4 || !isNumberSpace(*at)) return nullptr;
-    exponent += negative ? -static_cast<int>(number) : static_cast<int>(number);
-    return at;
+    exponent = negative ? -static_cast<std::ptrdiff_t>(number) : static_cast<std::ptrdiff_t>(number);
+    return count == 0 || count > 4 || !isNumberSpace(*at) ? nullptr : at;
 }
 
-inline const char* readDecimal(const char* at, PlainDecimal& decimal) {
-    decimal.negative = *at == '-';
-    at += decimal.negative;
-    const char* const first = at;
-    for (; isDigit(*at); ++at) decimal.number = decimal.number * 10 + static_cast<std::uint64_t>(*at - '0');
-    auto digits = at - first;
-    if (*at == '.') {
-        const char* const point = at++;
-        std::uint32_t eight = 0;
-        int count = 8;
-        for (; count == 8; at += count) {
-            count = readUpToEightDigits(at, eight);
-            decimal.number = decimal.number * kWholePowers[static_cast<std::size_t>(count)] + eight;
-        }
-        digits += at - point - 1;
-        decimal.exponent = -static_cast<int>(at - point - 1);
-    }
-    if (digits == 0 || digits > PlainDecimal::kMostDigits) return nullptr;
-    if (isNumberSpace(*at)) return at;
-    return *at == 'e' || *at == 'E' ? readExponent(at + 1, decimal.exponent) : nullptr;
+// The double nearest to a number over or times a power of ten. With at most 53 bits, and a power that a double holds
+// exactly, the one operation rounds once (Clinger), and that is it; with more it may be two units in the last place off.
+inline double overPower(std::uint64_t number, std::ptrdiff_t power) {
+    return static_cast<double>(static_cast<std::int64_t>(number)) / kPowers[static_cast<std::size_t>(power)];
 }
 
-// The double nearest to a decimal: with at most 53 bits and a power of ten that a double holds exactly, one operation
-// rounds once (Clinger). False for others; `sloppy` takes more bits too, off by two units in the last place at most.
-inline bool toDouble(const PlainDecimal& decimal, bool sloppy, double& value) {
-    const std::uint64_t number = decimal.number;
-    if (!sloppy && number > std::uint64_t{1} << 53) return false;
-    const int power = number == 0 ? 0 : decimal.exponent;
-    constexpr int kMostPower = static_cast<int>(kPowers.size()) - 1;
+// The same with an exponent. False where the power is too large.
+inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, double& value) {
+    const std::ptrdiff_t power = digits.number == 0 ? 0 : exponent - digits.behindPoint;
+    constexpr auto kMostPower = static_cast<std::ptrdiff_t>(kPowers.size()) - 1;
     if (power < -kMostPower || power > kMostPower) return false;
-    const auto whole = static_cast<double>(static_cast<std::int64_t>(number));
-    value = power < 0 ? whole / kPowers[static_cast<std::size_t>(-power)]
-                      : whole * kPowers[static_cast<std::size_t>(power)];
-    if (decimal.negative) value = -value;
+    value = power < 0 ? overPower(digits.number, -power)
+                      : overPower(digits.number, 0) * kPowers[static_cast<std::size_t>(power)];
     return true;
 }
 
+inline const char* readNearby(const char* at, std::uint64_t most, double& value) {
+    const std::uint64_t sign = static_cast<std::uint64_t>(*at == '-');
+    PlainDigits digits;
+    at = readDigits(at + sign, digits);
+    if (!at || digits.number > most) return nullptr;
+    if (isNumberSpace(*at)) {
+        value = overPower(digits.number, digits.behindPoint);
+    } else {
+        if (*at != 'e' && *at != 'E') return nullptr;
+        std::ptrdiff_t exponent = 0;
+        at = readExponent(at + 1, exponent);
+        if (!at || !withExponent(digits, exponent, value)) return nullptr;
+    }
+    value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | sign << 63);
+    return at;
+}
+
 inline const char* readPlain(const char* at, double& value) {
-    PlainDecimal decimal;
-    at = readDecimal(at, decimal);
-    return at && toDouble(decimal, false, value) ? at : nullptr;
+    return readNearby(at, std::uint64_t{1} << 53, value);
 }
 
 // By way of the nearest double, or one beside it: the nearest float is the same, unless the double is about halfway
 // between two floats. (None of these doubles is too small or too large for a normal float, but zero.)
 inline const char* readPlain(const char* at, float& value) {
-    PlainDecimal decimal;
-    at = readDecimal(at, decimal);
     double nearby = 0.0;
-    if (!at || !toDouble(decimal, true, nearby)) return nullptr;
+    at = readNearby(at, ~std::uint64_t{0} >> 1, nearby);
     constexpr std::uint64_t kBitsBelow = (1u << 29) - 1, kHalf = 1u << 28, kSlack = 4;
     if ((std::bit_cast<std::uint64_t>(nearby) & kBitsBelow) - (kHalf - kSlack) <= 2 * kSlack) return nullptr;
     value = static_cast<float>(nearby);

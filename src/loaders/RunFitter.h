@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "loaders/KeyForms.h"
@@ -12,20 +12,22 @@ namespace walkcycle {
 // Finds few keys for a run of motion without jumps: first as many as the tolerance asks for, halving where the way
 // between two strays, then leaves out those that their neighbours can do without.
 template <typename Form>
+struct RunKeys {
+    std::vector<double> times;
+    std::vector<typename Form::Value> values;  // one per time
+    std::vector<Form> pieces;                  // one between each two
+    bool isWithin = true;                      // the tolerance; false where the limit came first
+};
+
+// `Exact` gives the motion's value at any time of the run.
+template <typename Form, typename Exact>
 class RunFitter {
 public:
     using Value = typename Form::Value;
-    struct Keys {
-        std::vector<double> times;
-        std::vector<Value> values;  // one per time
-        std::vector<Form> pieces;   // one between each two
-        bool isWithin = true;       // the tolerance; false where the limit came first
-    };
+    using Keys = RunKeys<Form>;
 
-    // `exact` gives the motion's value at any time of the run. `isStraight`: it is known to go in this very form
-    // between its knots. No more than `limit` keys are made.
-    RunFitter(std::function<Value(double)> exact, const Tolerance& tolerance, bool isStraight,
-              std::size_t limit)
+    // `isStraight`: the motion is known to go in this very form between its knots. No more than `limit` keys are made.
+    RunFitter(Exact exact, const Tolerance& tolerance, bool isStraight, std::size_t limit)
         : exact_(std::move(exact)), tolerance_(tolerance), isStraight_(isStraight), limit_(limit) {}
 
     Keys fit(const std::vector<double>& knots) {
@@ -45,11 +47,13 @@ private:
     void refine(double to) {
         constexpr double kShare = 0.4;  // of the budget: what is left out later needs the rest
         constexpr int kDeepest = 24;
-        std::vector<std::pair<double, int>> ends{{to, 0}};
+        std::vector<std::pair<double, int>>& ends = ends_;
+        std::vector<Sample>& probes = probes_;
+        ends.assign(1, {to, 0});
         while (!ends.empty()) {
             const auto [end, depth] = ends.back();
             const Sample start = samples_[nodes_.back()], stop{end, exact_(end)};
-            std::vector<Sample> probes;
+            probes.clear();
             const double strayed = isStraight_ ? 0.0 : probe(start, stop, probes);
             const bool maySplit = depth < kDeepest && nodes_.size() + ends.size() < limit_;
             isWithin_ = isWithin_ && (maySplit || strayed <= tolerance_.budget);
@@ -123,11 +127,13 @@ private:
         return true;
     }
 
-    std::function<Value(double)> exact_;
+    Exact exact_;
     Tolerance tolerance_;
     bool isStraight_;
     std::size_t limit_;
     std::vector<Sample> samples_;
+    std::vector<std::pair<double, int>> ends_;  // what refine() works with, kept for its memory
+    std::vector<Sample> probes_;
     bool isWithin_ = true;
     std::vector<std::size_t> nodes_;  // indices of the samples that may become keys
 };

@@ -6,7 +6,7 @@
 namespace walkcycle {
 namespace {
 
-constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // The bits of a number; adding zero makes -0 the 0 that it equals.
 std::uint64_t bitsOf(float number) {
@@ -28,36 +28,62 @@ std::uint32_t hashOf(std::uint32_t position, const float* attributes, std::size_
 
 }  // namespace
 
-VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedCorners)
-    : attributeCount_(attributeCount) {
-    // Characters share a vertex among four to six corners; tables at most half full stay fast.
-    table_.assign(std::bit_ceil(std::max<std::size_t>(expectedCorners / 3 * 2, 16)), kEmpty);
-}
+VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions)
+    : attributeCount_(attributeCount), firstAt_(expectedPositions, kNone) {}
 
 std::uint32_t VertexJoiner::add(std::uint32_t position, const float* attributes) {
-    const std::uint32_t hash = hashOf(position, attributes, attributeCount_);
-    std::size_t slot = hash & (table_.size() - 1);
-    for (; table_[slot] != kEmpty; slot = (slot + 1) & (table_.size() - 1)) {
-        const std::uint32_t vertex = table_[slot];
-        if (hashes_[vertex] == hash && positions_[vertex] == position &&
-            std::equal(attributes, attributes + attributeCount_, this->attributes(vertex)))
-            return vertex;
+    constexpr int kLongestChain = 16;  // a fan of hard edges; no honest position has many more vertices
+    if (position >= firstAt_.size())
+        firstAt_.resize(std::max<std::size_t>(position + 1, 2 * firstAt_.size()), kNone);
+    std::uint32_t vertex = firstAt_[position], last = kNone;
+    for (int i = 0; vertex != kNone; last = vertex, vertex = nextAt_[vertex], ++i) {
+        if (i == kLongestChain) return addToTable(position, attributes);
+        if (looksLike(vertex, attributes)) return vertex;
     }
-    const auto vertex = static_cast<std::uint32_t>(positions_.size());
-    table_[slot] = vertex;
-    positions_.push_back(position);
-    hashes_.push_back(hash);
-    attributes_.insert(attributes_.end(), attributes, attributes + attributeCount_);
-    if (positions_.size() * 2 > table_.size()) grow();
+    vertex = append(position, attributes);
+    (last == kNone ? firstAt_[position] : nextAt_[last]) = vertex;
     return vertex;
 }
 
-void VertexJoiner::grow() {
-    table_.assign(table_.size() * 2, kEmpty);
-    for (std::uint32_t vertex = 0; vertex < hashes_.size(); ++vertex) {
-        std::size_t slot = hashes_[vertex] & (table_.size() - 1);
-        while (table_[slot] != kEmpty) slot = (slot + 1) & (table_.size() - 1);
-        table_[slot] = vertex;
+bool VertexJoiner::looksLike(std::uint32_t vertex, const float* wanted) const {
+    const float* own = attributes(vertex);
+    for (std::size_t i = 0; i < attributeCount_; ++i)
+        if (own[i] != wanted[i]) return false;
+    return true;
+}
+
+std::uint32_t VertexJoiner::append(std::uint32_t position, const float* attributes) {
+    const auto vertex = static_cast<std::uint32_t>(positions_.size());
+    positions_.push_back(position);
+    nextAt_.push_back(kNone);
+    attributes_.insert(attributes_.end(), attributes, attributes + attributeCount_);
+    return vertex;
+}
+
+// Where so many vertices stand at one position that looking at each would take long.
+std::uint32_t VertexJoiner::addToTable(std::uint32_t position, const float* attributes) {
+    if (table_.empty()) table_.assign(64, kNone);
+    const std::uint32_t hash = hashOf(position, attributes, attributeCount_);
+    std::size_t slot = hash & (table_.size() - 1);
+    for (; table_[slot] != kNone; slot = (slot + 1) & (table_.size() - 1)) {
+        const std::uint32_t vertex = crowded_[table_[slot]].vertex;
+        if (crowded_[table_[slot]].hash == hash && positions_[vertex] == position &&
+            looksLike(vertex, attributes))
+            return vertex;
+    }
+    const std::uint32_t vertex = append(position, attributes);
+    table_[slot] = static_cast<std::uint32_t>(crowded_.size());
+    crowded_.push_back({vertex, hash});
+    if (crowded_.size() * 2 > table_.size()) growTable();
+    return vertex;
+}
+
+void VertexJoiner::growTable() {
+    table_.assign(table_.size() * 2, kNone);
+    for (std::uint32_t i = 0; i < crowded_.size(); ++i) {
+        std::size_t slot = crowded_[i].hash & (table_.size() - 1);
+        while (table_[slot] != kNone) slot = (slot + 1) & (table_.size() - 1);
+        table_[slot] = i;
     }
 }
 

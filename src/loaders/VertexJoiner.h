@@ -9,8 +9,8 @@ namespace walkcycle {
 // index: exporters repeat equal values) are one vertex.
 class VertexJoiner {
 public:
-    // `attributeCount` numbers per corner, one at least; `expectedCorners` is only a hint.
-    VertexJoiner(std::size_t attributeCount, std::size_t expectedCorners);
+    // `attributeCount` numbers per corner, one at least; `expectedPositions` is only a hint.
+    VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions);
 
     // The vertex of a corner. `attributes` points to attributeCount finite numbers.
     std::uint32_t add(std::uint32_t position, const float* attributes);
@@ -22,13 +22,22 @@ public:
     }
 
 private:
-    void grow();
+    struct Crowded {
+        std::uint32_t vertex, hash;
+    };
+    bool looksLike(std::uint32_t vertex, const float* attributes) const;
+    std::uint32_t append(std::uint32_t position, const float* attributes);
+    std::uint32_t addToTable(std::uint32_t position, const float* attributes);
+    void growTable();
 
     std::size_t attributeCount_;
     std::vector<std::uint32_t> positions_;
     std::vector<float> attributes_;
-    std::vector<std::uint32_t> hashes_;  // per vertex, so that growing needs no second look at the values
-    std::vector<std::uint32_t> table_;   // open addressing: vertices, kEmpty between them; a power of two
+    // The vertices at a position as a chain: its first, and for each vertex the next. There are one to six mostly.
+    std::vector<std::uint32_t> firstAt_, nextAt_;
+    // Those that did not fit into a chain, by their hash; the table (open addressing, a power of two) holds indices.
+    std::vector<Crowded> crowded_;
+    std::vector<std::uint32_t> table_;
 };
 
 }  // namespace walkcycle
