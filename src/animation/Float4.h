@@ -1,8 +1,13 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include "animation/JointRows.h"
 
@@ -14,6 +19,14 @@ using Float4 = float __attribute__((vector_size(16)));
 
 inline Float4 splat(float x) {
     return Float4{x, x, x, x};
+}
+
+inline Float4 squareRoot(Float4 v) {
+#ifdef __SSE2__
+    return _mm_sqrt_ps(v);
+#else
+    return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+#endif
 }
 
 template <int kLane>

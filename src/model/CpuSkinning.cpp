@@ -53,18 +53,6 @@ glm::mat4 inverseOrIdentity(const glm::mat4& matrix) {
     return std::isnormal(glm::determinant(matrix)) ? glm::inverse(matrix) : glm::mat4(1.0f);
 }
 
-// The sum of all influences of one position. Adding up matrices first costs a position what adding up moved
-// positions would, and serves the normals too.
-glm::mat4 blendedMatrix(const Influences& influences, std::size_t position,
-                        const std::vector<glm::mat4>& palette) {
-    glm::mat4 sum(0.0f);
-    for (std::uint32_t i = influences.first[position]; i < influences.first[position + 1]; ++i) {
-        const Influence& influence = influences.influences[i];
-        sum += palette[influence.joint] * influence.weight;
-    }
-    return sum;
-}
-
 void addScaled(std::vector<glm::vec3>& sums, const std::vector<glm::vec3>& deltas, float coefficient) {
     const std::size_t count = std::min(sums.size(), deltas.size());
     for (std::size_t i = 0; i < count; ++i) sums[i] += deltas[i] * coefficient;
@@ -181,17 +169,11 @@ void CpuSkinning::skin(Work& work, const Deformer& deformer) {
     computePalette(work.model.skins[index(deformer.index)], work.modelTransforms, palette_);
     const Influences& influences = work.model.influences[index(deformer.influences)];
     assert(influences.first.size() == work.positions.size() + 1);
-    if (work.normals) {
-        for (std::size_t v = 0; v < work.normals->size(); ++v) {
-            const glm::mat4 matrix = blendedMatrix(influences, work.mesh.vertexPositions[v], palette_);
-            (*work.normals)[v] = unit(normalMatrix(matrix) * (*work.normals)[v]);
-        }
-    }
-    for (std::size_t p = 0; p < work.positions.size(); ++p) {
-        const glm::mat4 matrix = blendedMatrix(influences, p, palette_);
-        work.positions[p] = glm::vec3(matrix * glm::vec4(work.positions[p], 1.0f));
-        if (work.made && isMirror(matrix)) mirrored_[p] = !mirrored_[p];
-    }
+    skinPositions(influences, palette_, work.positions, work.positions,
+                  work.normals || work.made ? &turns_ : nullptr);
+    if (work.normals) turnNormals(turns_, work.mesh.vertexPositions, *work.normals, *work.normals);
+    for (std::size_t p = 0; work.made && p < turns_.size(); ++p)
+        if (turns_[p].isMirror()) mirrored_[p] = !mirrored_[p];
     work.inModelSpace = true;
     work.wasSkinned = true;
 }
@@ -253,7 +235,8 @@ void CpuSkinning::vertices(const Model& model, const MeshInstance& instance,
               makes ? nullptr : &outNormals,
               makes ? &outNormals : nullptr};
     deform(work);
-    for (glm::vec3& normal : outNormals) normal = unit(normal);
+    if (makes)  // all else is of unit length by now
+        for (glm::vec3& normal : outNormals) normal = unit(normal);
     outPositions.resize(mesh.vertexCount());
     for (std::size_t v = 0; v < outPositions.size(); ++v) outPositions[v] = work_[mesh.vertexPositions[v]];
 }

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "model/Model.h"
+#include "model/SkinningKernel.h"
 #include "model/SmoothNormals.h"
 
 namespace walkcycle {
@@ -58,6 +59,7 @@ private:
 
     std::vector<glm::mat4> palette_;
     std::vector<float> coefficients_;
+    std::vector<NormalTurn> turns_;
     std::vector<glm::vec3> work_;
     std::vector<bool> mirrored_;  // per position: its skins turn inside out
     SmoothNormals smoothNormals_;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "animation/Float4.h"
+#include "model/Influences.h"
+
+namespace walkcycle {
+
+// How a blended matrix turns normals: as it turns surfaces, by its cofactors (the inverse transpose, up to a positive
+// factor), which hold also where it flattens things and has no inverse. Three columns, each as z, x, y, 0.
+struct NormalTurn {
+    Float4 x, y, z;
+
+    // Mirrored columns are negated, and so are their zeros.
+    bool isMirror() const { return std::signbit(x[3]); }
+};
+
+// Auto takes AVX2 where the machine has it. The others are for tests and benchmarks; to ask for one that
+// hasSkinningWay() denies is an error.
+enum class SkinningWay { Auto, Baseline, Avx2 };
+bool hasSkinningWay(SkinningWay way);
+
+// Skins positions: each becomes (sum of weight * palette[joint]) * position. Fills `turns` (resized, one per position)
+// unless it is null. `to` is as long as `from`, and may be the same memory.
+void skinPositions(const Influences& influences, std::span<const glm::mat4> palette,
+                   std::span<const glm::vec3> from, std::span<glm::vec3> to, std::vector<NormalTurn>* turns,
+                   SkinningWay way = SkinningWay::Auto);
+
+// Turns normals, each by the matrix of its position, to unit length; what has no direction becomes zero. `to` as above.
+void turnNormals(std::span<const NormalTurn> turns, std::span<const std::uint32_t> vertexPositions,
+                 std::span<const glm::vec3> from, std::span<glm::vec3> to,
+                 SkinningWay way = SkinningWay::Auto);
+
+}  // namespace walkcycle
