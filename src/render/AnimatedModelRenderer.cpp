@@ -8,6 +8,7 @@
 
 #include "render/AnimatedModelShader.h"
 #include "render/BackgroundRenderer.h"
+#include "render/Drawing.h"
 #include "render/FileLights.h"
 #include "render/InstanceStates.h"
 #include "render/SkeletonRenderer.h"
@@ -20,50 +21,6 @@ using Pass = AnimatedModelShader::Pass;
 
 // Dark, and thin enough that a dense mesh does not turn black; linear light, premultiplied.
 constexpr glm::vec4 kEdges{0.008f, 0.009f, 0.011f, 0.55f};
-
-// A framebuffer of ours turns light into sRGB by itself; a window's may not, and then the shaders do.
-bool mustEncode(const RenderTarget& target) {
-    const GLenum attachment = target.framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0;
-    GLint encoding = GL_LINEAR;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment,
-                                          GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
-    return encoding != GL_SRGB;
-}
-
-// Everything that drawing relies on and that somebody else may have changed. Returns whether shaders must encode.
-bool startDrawingTo(const RenderTarget& target) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glViewport(0, 0, target.width, target.height);
-    const bool encodesItself = mustEncode(target);
-    (encodesItself ? glDisable : glEnable)(GL_FRAMEBUFFER_SRGB);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_CULL_FACE);  // COLLADA shows both sides
-    glDepthFunc(GL_LEQUAL);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    return encodesItself;
-}
-
-bool hasTexture(const Material& material, Slot slot) {
-    return material.slot(slot).texture >= 0;
-}
-
-bool showsThrough(const Material& material) {
-    if (!material.transparent) return false;
-    return hasTexture(material, Slot::Transparent) ||
-           opacity(material, material.slot(Slot::Transparent).color) < 1.0f;
-}
-
-// What a part without a material looks like.
-const Material& plainMaterial() {
-    static const Material plain = [] {
-        Material material;
-        material.slot(Slot::Diffuse) = {
-            .present = true, .color = {0.75f, 0.75f, 0.75f, 1.0f}, .texture = -1, .texCoordName = {}};
-        return material;
-    }();
-    return plain;
-}
 
 struct Wireframe {
     ShaderProgram program;
@@ -100,7 +57,6 @@ struct AnimatedModelRenderer::Impl {
     std::optional<SkeletonRenderer> skeleton;  // made when it is first needed
     std::optional<Wireframe> wireframe;
 
-    static bool shaderEncodes(const Scene& scene);
     const AnimatedModelShader& shaderFor(const Scene& scene);
     void prepare(const Scene& scene);
     void sortParts(const Scene& scene);
@@ -111,15 +67,10 @@ struct AnimatedModelRenderer::Impl {
     void drawModel(const Scene& scene);
 };
 
-// Blending takes place in light, so the target must turn that into sRGB. Without blending the shader does it, once a
-// fragment, where the target would once a sample.
-bool AnimatedModelRenderer::Impl::shaderEncodes(const Scene& scene) {
-    return scene.encodesItself || !scene.model.resource()->needs().seeThrough;
-}
-
 const AnimatedModelShader& AnimatedModelRenderer::Impl::shaderFor(const Scene& scene) {
-    const AnimatedModelShader::Variant variant{scene.options.lights, shaderEncodes(scene),
-                                               scene.model.resource()->needs()};
+    const ShaderNeeds& needs = scene.model.resource()->needs();
+    const AnimatedModelShader::Variant variant{scene.options.lights,
+                                               shaderEncodes(scene.encodesItself, needs), needs};
     return shaders.try_emplace(variant, variant).first->second;
 }
 
@@ -171,9 +122,7 @@ void AnimatedModelRenderer::Impl::drawPart(const Scene& scene, const AnimatedMod
 }
 
 void AnimatedModelRenderer::Impl::drawSolid(const Scene& scene, const AnimatedModelShader& shader) {
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    setBlending(false);
     if (scene.options.wireframe) {
         glEnable(GL_POLYGON_OFFSET_FILL);  // leaves the edges in front
         glPolygonOffset(1.0f, 1.0f);
@@ -189,16 +138,12 @@ void AnimatedModelRenderer::Impl::drawSolid(const Scene& scene, const AnimatedMo
 void AnimatedModelRenderer::Impl::drawSeeThrough(const Scene& scene, const AnimatedModelShader& shader) {
     if (seeThrough.empty()) return;
     shader.start();
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    setBlending(true);
     for (const Draw& draw : seeThrough) {
         drawPart(scene, shader, draw, Pass::Backs);
         drawPart(scene, shader, draw, Pass::Fronts);
     }
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+    setBlending(false);
 }
 
 void AnimatedModelRenderer::Impl::drawWireframe(const Scene& scene) {
@@ -232,7 +177,7 @@ void AnimatedModelRenderer::Impl::drawModel(const Scene& scene) {
     shader.start();
     shader.loadCamera(scene.camera);
     if (scene.options.lights == Lighting::File) shader.loadLights(lights);
-    if (shaderEncodes(scene)) glDisable(GL_FRAMEBUFFER_SRGB);
+    if (shaderEncodes(scene.encodesItself, scene.model.resource()->needs())) glDisable(GL_FRAMEBUFFER_SRGB);
     drawSolid(scene, shader);
     drawSeeThrough(scene, shader);
     if (!scene.encodesItself) glEnable(GL_FRAMEBUFFER_SRGB);

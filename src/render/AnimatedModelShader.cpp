@@ -73,6 +73,7 @@ std::string deformDefines(const ShaderNeeds& needs) {
 
 DeformUniforms::DeformUniforms(const ShaderProgram& program)
     : firstJoint_(program.uniform("firstJoint")),
+      jointsPerWalker_(program.uniform("jointsPerWalker")),
       influenceCount_(program.uniform("influenceCount")),
       morphRange_(program.uniform("morphRange")),
       positionCount_(program.uniform("positionCount")),
@@ -86,6 +87,7 @@ DeformUniforms::DeformUniforms(const ShaderProgram& program)
 
 void DeformUniforms::load(const Values& values) const {
     glUniform1i(firstJoint_, values.firstJoint);
+    glUniform1i(jointsPerWalker_, values.jointsPerWalker);
     glUniform1i(influenceCount_, values.influenceCount);
     glUniform2i(morphRange_, values.morphRange.x, values.morphRange.y);
     glUniform1i(positionCount_, values.positionCount);

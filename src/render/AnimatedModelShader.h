@@ -18,6 +18,7 @@ namespace walkcycle {
 struct DeformUniforms {
     struct Values {
         int firstJoint = 0;           // where the palette begins
+        int jointsPerWalker = 0;      // in a crowd: from one walker's palette to the next one's
         int influenceCount = 1;       // of the first four, the most that a vertex has
         glm::ivec2 morphRange{0, 0};  // from which to before which entry of `morphs`
         int positionCount = 0;
@@ -28,7 +29,7 @@ struct DeformUniforms {
     void load(const Values& values) const;
 
 private:
-    GLint firstJoint_, influenceCount_, morphRange_, positionCount_, vertexCount_;
+    GLint firstJoint_, jointsPerWalker_, influenceCount_, morphRange_, positionCount_, vertexCount_;
 };
 
 // The #defines by which animatedModelVertex.glsl can do what a model needs.

@@ -7,36 +7,40 @@ namespace {
 
 constexpr std::size_t kRowsPerJoint = 3;
 
-glm::vec4 row(const glm::mat4& matrix, int i) {
-    return {matrix[0][i], matrix[1][i], matrix[2][i], matrix[3][i]};
-}
-
 }  // namespace
 
 JointPalette::JointPalette(std::size_t maxTexels) : maxJoints_(maxTexels / kRowsPerJoint) {}
 
 void JointPalette::clear() {
-    for (Page& page : pages_) page.rows.clear();
+    for (Page& page : pages_) page.joints.clear();
     pagesInUse_ = 0;
 }
 
-JointPalette::Place JointPalette::add(std::span<const glm::mat4> palette) {
-    assert(palette.size() <= maxJoints_);
-    const auto joints = [&] { return pages_[pagesInUse_ - 1].rows.size() / kRowsPerJoint; };
-    if (pagesInUse_ == 0 || joints() + palette.size() > maxJoints_) {
+JointPalette::Place JointPalette::newPlace(std::size_t joints) {
+    assert(joints <= maxJoints_);
+    const auto there = [&] { return pages_[pagesInUse_ - 1].joints.size(); };
+    if (pagesInUse_ == 0 || there() + joints > maxJoints_) {
         if (++pagesInUse_ > pages_.size()) pages_.emplace_back();
     }
-    const Place place{pagesInUse_ - 1, static_cast<int>(joints())};
-    std::vector<glm::vec4>& rows = pages_[place.page].rows;
-    for (const glm::mat4& matrix : palette) {
-        for (int i = 0; i < 3; ++i) rows.push_back(row(matrix, i));
-    }
+    return {pagesInUse_ - 1, static_cast<int>(there())};
+}
+
+JointPalette::Place JointPalette::add(std::span<const glm::mat4> palette) {
+    const Place place = newPlace(palette.size());
+    for (const glm::mat4& matrix : palette) pages_[place.page].joints.emplace_back(matrix);
+    return place;
+}
+
+JointPalette::Place JointPalette::add(std::span<const JointRows> palette) {
+    const Place place = newPlace(palette.size());
+    std::vector<JointRows>& joints = pages_[place.page].joints;
+    joints.insert(joints.end(), palette.begin(), palette.end());
     return place;
 }
 
 void JointPalette::upload() {
     for (std::size_t i = 0; i < pagesInUse_; ++i) {
-        pages_[i].texture.store(std::span<const glm::vec4>(pages_[i].rows), GL_STREAM_DRAW);
+        pages_[i].texture.store(std::span<const JointRows>(pages_[i].joints), GL_STREAM_DRAW);
     }
 }
 

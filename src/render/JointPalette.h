@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
 
+#include "animation/JointRows.h"
 #include "render/BufferTexture.h"
 
 namespace walkcycle {
@@ -27,14 +27,17 @@ public:
 
     void clear();  // keeps its memory
     Place add(std::span<const glm::mat4> palette);
+    Place add(std::span<const JointRows> palette);
     void upload();
     void bind(std::size_t page, int unit) const;
 
 private:
     struct Page {
-        std::vector<glm::vec4> rows;
+        std::vector<JointRows> joints;
         BufferTexture texture{GL_RGBA32F};
     };
+
+    Place newPlace(std::size_t joints);
 
     std::vector<Page> pages_;
     std::size_t pagesInUse_ = 0;

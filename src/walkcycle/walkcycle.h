@@ -19,6 +19,7 @@
 #include "render/AnimatedModel.h"
 #include "render/AnimatedModelRenderer.h"
 #include "render/Camera.h"
+#include "render/CrowdRenderer.h"
 #include "render/Framebuffer.h"
 
 namespace walkcycle {

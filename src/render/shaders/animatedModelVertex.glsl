@@ -30,6 +30,7 @@ uniform samplerBuffer positionDeltas;  // target after target, one per position
 uniform samplerBuffer normalDeltas;    // target after target, one per vertex
 
 uniform int firstJoint;      // where this instance's palette begins
+uniform int jointsPerWalker; // in a crowd, from one walker's palette to the next one's
 uniform int influenceCount;  // how many of the first four its vertices use at most
 uniform ivec2 morphRange;
 uniform int positionCount;
@@ -52,7 +53,7 @@ out vec2 textureCoords;
 
 // Three rows as the columns of a mat3x4: vector * rows is what matrix * vector is on the page.
 mat3x4 jointTransform(uint joint) {
-    int texel = (firstJoint + int(joint)) * 3;
+    int texel = (firstJoint + gl_InstanceID * jointsPerWalker + int(joint)) * 3;
     return mat3x4(texelFetch(palette, texel), texelFetch(palette, texel + 1), texelFetch(palette, texel + 2));
 }
 

@@ -1,0 +1,192 @@
+#include "render/CrowdRenderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+
+#include "animation/Skin.h"
+#include "render/AnimatedModelShader.h"
+#include "render/Drawing.h"
+#include "render/FileLights.h"
+#include "render/GraphicsError.h"
+#include "render/InstanceStates.h"
+#include "render/VertexInput.h"
+
+namespace walkcycle {
+namespace {
+
+using Pass = AnimatedModelShader::Pass;
+
+constexpr std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// The skin that moves an instance; null where nothing but its node does.
+const Skin* skinOf(const Model& model, const MeshInstance& instance) {
+    for (const Deformer& deformer : instance.deformers)
+        if (deformer.kind == Deformer::Kind::Skin) return &model.skins[index(deformer.index)];
+    return nullptr;
+}
+
+std::size_t matrixCount(const Model& model, const MeshInstance& instance) {
+    const Skin* skin = skinOf(model, instance);
+    return skin ? skin->joints.size() : 1;
+}
+
+void requireShader(const AnimatedModel& model) {
+    for (const ModelResource::Instance& instance : model.resource()->instances())
+        if (instance.deformedOnCpu)
+            throw GraphicsError("a crowd cannot be drawn of a model that the shader cannot deform");
+}
+
+// Where the model's own renderer would draw a part: with the solid ones, with what shows through, or with both.
+std::vector<Pass> passes(const Material& material, bool seeThrough) {
+    if (!showsThrough(material)) return seeThrough ? std::vector<Pass>{} : std::vector{Pass::All};
+    if (seeThrough) return {Pass::Backs, Pass::Fronts};
+    return hasTexture(material, Slot::Transparent) ? std::vector{Pass::Solid} : std::vector<Pass>{};
+}
+
+}  // namespace
+
+struct CrowdRenderer::Impl {
+    struct Scene {
+        const AnimatedModel& model;
+        const AnimatedModelShader& shader;
+        std::size_t stride;   // joints a walker
+        std::size_t page;     // of the palette
+        std::size_t walkers;  // in it
+    };
+
+    explicit Impl(std::size_t maxTexels) : palette(maxTexels) {}
+
+    const AnimatedModelShader& start(const AnimatedModel& model, const Camera& camera, bool encodes,
+                                     const RenderOptions& options);
+    std::size_t upload(std::span<const JointRows> palettes, std::size_t stride);
+    void drawPage(const Scene& scene, bool seeThrough);
+    void drawPart(const Scene& scene, std::size_t instance, std::size_t firstJoint,
+                  const ModelResource::Part& part);
+
+    std::map<AnimatedModelShader::Variant, AnimatedModelShader> shaders;
+    InstanceStates states;
+    FileLights lights;
+    BufferTexture lightTexture{GL_RGBA32F};
+    JointPalette palette;
+};
+
+const AnimatedModelShader& CrowdRenderer::Impl::start(const AnimatedModel& model, const Camera& camera,
+                                                      bool encodes, const RenderOptions& options) {
+    const AnimatedModelShader::Variant variant{options.lights, encodes, model.resource()->needs()};
+    const AnimatedModelShader& shader = shaders.try_emplace(variant, variant).first->second;
+    states.prepare(model);
+    shader.start();
+    shader.loadCamera(camera);
+    if (options.lights != Lighting::File) return shader;
+    lights.gather(model, camera);
+    lightTexture.store(std::span<const glm::vec4>(lights.texels()), GL_STREAM_DRAW);
+    lightTexture.bind(TextureUnit::kLights);
+    shader.loadLights(lights);
+    return shader;
+}
+
+// As many walkers on each page as fit. Returns how many those are.
+std::size_t CrowdRenderer::Impl::upload(std::span<const JointRows> palettes, std::size_t stride) {
+    const std::size_t walkersAPage = palette.maxJoints() / stride;
+    if (walkersAPage == 0) throw GraphicsError("a walker's palette is larger than a texture buffer here");
+    palette.clear();
+    for (std::size_t at = 0; at < palettes.size(); at += walkersAPage * stride)
+        palette.add(palettes.subspan(at, std::min(walkersAPage * stride, palettes.size() - at)));
+    palette.upload();
+    return walkersAPage;
+}
+
+void CrowdRenderer::Impl::drawPart(const Scene& scene, std::size_t instance, std::size_t firstJoint,
+                                   const ModelResource::Part& part) {
+    DeformUniforms::Values deform = states.bind(scene.model, instance);
+    palette.bind(scene.page, TextureUnit::kPalette);  // in place of the model's own
+    deform.firstJoint = static_cast<int>(firstJoint);
+    deform.jointsPerWalker = static_cast<int>(scene.stride);
+    scene.shader.loadInstance(deform);
+    scene.model.resource()->vao(part.vao).bind();
+    const auto offset = static_cast<std::uintptr_t>(part.firstIndex) * sizeof(std::uint32_t);
+    glDrawElementsInstanced(part.primitive == Primitive::Lines ? GL_LINES : GL_TRIANGLES,
+                            static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
+                            reinterpret_cast<const void*>(offset), static_cast<GLsizei>(scene.walkers));
+}
+
+void CrowdRenderer::Impl::drawPage(const Scene& scene, bool seeThrough) {
+    const auto& instances = scene.model.resource()->instances();
+    std::size_t nextJoint = 0;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const std::size_t firstJoint = nextJoint;
+        nextJoint += matrixCount(scene.model.model(), scene.model.model().instances[i]);
+        if (!states.states()[i].visible) continue;
+        for (const ModelResource::Part& part : instances[i].parts) {
+            const Material& material =
+                part.material < 0 ? plainMaterial() : scene.model.scene().materials[index(part.material)];
+            for (const Pass pass : passes(material, seeThrough)) {
+                scene.shader.loadMaterial(material, *scene.model.resource());
+                scene.shader.loadPass(pass);
+                if (part.indexCount > 0) drawPart(scene, i, firstJoint, part);
+            }
+        }
+    }
+}
+
+CrowdRenderer::CrowdRenderer() : CrowdRenderer(BufferTexture::maxTexels()) {}
+CrowdRenderer::CrowdRenderer(std::size_t maxTexels) : impl_(std::make_unique<Impl>(maxTexels)) {}
+CrowdRenderer::~CrowdRenderer() = default;
+CrowdRenderer::CrowdRenderer(CrowdRenderer&&) noexcept = default;
+CrowdRenderer& CrowdRenderer::operator=(CrowdRenderer&&) noexcept = default;
+
+void CrowdRenderer::draw(const AnimatedModel& model, std::span<const JointRows> palettes,
+                         const Camera& camera, const RenderTarget& target, const RenderOptions& options) {
+    const std::size_t stride = jointsPerWalker(model.model());
+    assert(stride == 0 || palettes.size() % stride == 0);
+    if (palettes.empty() || stride == 0) return;
+    requireShader(model);
+    const std::size_t walkersAPage = impl_->upload(palettes, stride), all = palettes.size() / stride;
+    const bool encodesItself = startDrawingTo(target);
+    const bool encodes = shaderEncodes(encodesItself, model.resource()->needs());
+    if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
+    const AnimatedModelShader& shader = impl_->start(model, camera, encodes, options);
+    for (const bool seeThrough : {false, true}) {
+        setBlending(seeThrough);
+        for (std::size_t page = 0; page * walkersAPage < all; ++page) {
+            const std::size_t walkers = std::min(walkersAPage, all - page * walkersAPage);
+            impl_->drawPage({model, shader, stride, page, walkers}, seeThrough);
+        }
+    }
+    setBlending(false);
+}
+
+std::size_t jointsPerWalker(const Model& model) {
+    std::size_t count = 0;
+    for (const MeshInstance& instance : model.instances) count += matrixCount(model, instance);
+    return count;
+}
+
+void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes) {
+    const auto& transforms = model.animator().modelTransforms();
+    std::vector<glm::mat4> palette;
+    for (const MeshInstance& instance : model.model().instances) {
+        if (const Skin* skin = skinOf(model.model(), instance))
+            computePalette(*skin, transforms, palette);
+        else
+            palette.assign(1, transforms[index(instance.node)]);
+        for (const glm::mat4& matrix : palette) palettes.emplace_back(matrix);
+    }
+}
+
+void place(std::span<JointRows> palette, const glm::mat4& placement) {
+    const JointRows rows(placement);
+    for (JointRows& joint : palette) {
+        const JointRows here = joint;
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec4& row = rows.rows[i];
+            joint.rows[i] = row.x * here.rows[0] + row.y * here.rows[1] + row.z * here.rows[2] +
+                            glm::vec4(0.0f, 0.0f, 0.0f, row.w);
+        }
+    }
+}
+
+}  // namespace walkcycle
