@@ -24,7 +24,9 @@ void declare(InfoOptions& options, Arguments& arguments) {
 }
 
 int run(const InfoOptions& options) {
-    const Model model = options.load.load(options.file);
+    LoadArguments load = options.load;
+    load.options.imagePixels = false;  // their sizes are all that is told of pictures
+    const Model model = load.load(options.file);
     printOut(options.json ? infoJson(model) : infoText(model));
     return kFine;
 }

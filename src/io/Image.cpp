@@ -127,4 +127,9 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits
     return png ? std::move(*png) : decodeWithStb(bytes, limits);
 }
 
+Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
+    std::optional<Image> png = measurePlainPng(bytes, limits);
+    return png ? std::move(*png) : decodeImage(bytes, limits);
+}
+
 }  // namespace walkcycle

@@ -37,6 +37,9 @@ struct ImageTooLarge : ImageError {
 // Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError saying what is wrong.
 Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
+// The same for who needs no pixels: where a file's kind tells its size apart from them, they are not decoded.
+Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
+
 std::vector<std::uint8_t> encodePng(const Image& image);
 std::vector<std::uint8_t> encodeWebp(const Image& image);  // lossless
 

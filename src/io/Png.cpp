@@ -220,6 +220,16 @@ void makeOpaque(std::vector<std::uint8_t>& rgba) {
 
 }  // namespace
 
+std::optional<Image> measurePlainPng(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
+    Plain png;
+    if (!readChunks(bytes, png)) return {};
+    checkSize(png.width, png.height, bytes.size(), limits);
+    return Image{.width = static_cast<int>(png.width),
+                 .height = static_cast<int>(png.height),
+                 .hasAlpha = png.channels == 4,
+                 .rgba = {}};
+}
+
 std::optional<Image> decodePlainPng(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
     Plain png;
     if (!readChunks(bytes, png)) return {};

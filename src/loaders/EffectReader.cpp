@@ -210,7 +210,7 @@ void EffectReader::readBump(XmlNode bump, const EffectParameters& parameters, Ma
     readTexture(texture, Slot::Bump, parameters, material);
     const std::string_view kind = bump.attribute("bumptype");
     const Image* image = imageOf(material, Slot::Bump);
-    if (!image) return;
+    if (!image || image->rgba.empty()) return;
     // Most exporters do not say which it is.
     const bool heights = kind.empty() ? holdsHeights(*image) : kind == "HEIGHTFIELD";
     int& index = material.slot(Slot::Bump).texture;

@@ -30,6 +30,7 @@ struct LoadOptions {
     std::string texture;  // a picture to use for every diffuse texture
     std::vector<std::string> allowedPaths;  // folders outside the document's own that may be read
     bool loadImages = true;
+    bool imagePixels = true;  // without them, Image::rgba may be empty: only the size is known
     double tolerance =
         1e-4;  // largest error of the keyframes against the file's curves, as a share of the model's size
     LoadLimits limits;

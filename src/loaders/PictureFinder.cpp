@@ -197,7 +197,8 @@ bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
 // Small files can hold large pictures, and a document can name many of them.
 std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const Bytes& bytes) {
     const LoadLimits& limits = context_.options.limits;
-    auto image = std::make_shared<const Image>(decodeImage(bytes, limits.image()));
+    const auto decoded = context_.options.imagePixels ? decodeImage : measureImage;
+    auto image = std::make_shared<const Image>(decoded(bytes, limits.image()));
     const auto pixels = static_cast<std::uint64_t>(std::int64_t{image->width} * image->height);
     if (pixels_ + pixels > limits.maxTotalPixels) throw PicturesTooLarge(pixels_ + pixels);
     pixels_ += pixels;

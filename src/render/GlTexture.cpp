@@ -106,8 +106,9 @@ GlTexture::GlTexture() : texture_(newTexture()) {
 
 GlTexture::GlTexture(const Texture& texture, TexelKind kind) : GlTexture() {
     const GLint minFilter = glMinFilter(texture.minFilter);
-    uploadLevels(*texture.image, kind, usesMipMaps(minFilter));
+    // First, or some drivers make room for a single level, and again when the second arrives.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minFilter);
+    uploadLevels(*texture.image, kind, usesMipMaps(minFilter));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, glMagFilter(texture.magFilter));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, glWrap(texture.wrapS));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, glWrap(texture.wrapT));

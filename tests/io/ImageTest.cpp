@@ -125,6 +125,18 @@ TEST(ImageTest, everyFilterOfPngIsTakenBackAsItsSpecificationSays) {
     }
 }
 
+TEST(ImageTest, measuringAPngDecodesNoPixelsButSeesThatPartOfItIsMissing) {
+    Bytes png = encodePng(gradient(37, 23, true));
+    const Image size = measureImage(png);
+    EXPECT_EQ(size.width, 37);
+    EXPECT_EQ(size.height, 23);
+    EXPECT_TRUE(size.hasAlpha && size.rgba.empty());
+    EXPECT_THROW(measureImage(png, {.maxDimension = 36, .maxPixels = 10'000}), ImageTooLarge);
+    png.resize(png.size() / 2);
+    EXPECT_THROW(measureImage(png), ImageError);
+    EXPECT_EQ(measureImage(encodeWebp(gradient(37, 23, true))).width, 37);
+}
+
 TEST(ImageTest, theSamePictureGivesTheSameBytes) {
     const Image image = gradient(64, 64, true);
     EXPECT_EQ(encodePng(image), encodePng(image));
