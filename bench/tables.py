@@ -155,7 +155,7 @@ def skin_table():
     copy = rows["skin/copy"].median
     for name, found in rows.items():
         row(name, f"{found.best / 2000:.2f}", f"{found.median / 2000:.2f}", f"{found.median / copy:.1f}")
-    goal("best way / copy", min(found.median for name, found in rows.items() if name != "skin/copy") / copy, at_most=8)
+    goal("with what this machine has / copy", min(found.median for name, found in rows.items() if name != "skin/copy") / copy, at_most=8)
 
 
 def draw_table(file):
