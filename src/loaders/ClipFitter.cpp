@@ -1,6 +1,7 @@
 #include "loaders/ClipFitter.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "loaders/KeyFrameFitter.h"
@@ -42,15 +43,15 @@ Channel cut(const Channel& channel, double start, double end) {
     return part;
 }
 
-// Index of the motion of the same joint among others, if the same channels make it; the others' size if not.
+// Index of the motion of the same joint among those of the whole timeline, if the same channels make it; their number if
+// not.
 std::size_t alike(const JointMotion& motion, const std::vector<JointMotion>& others) {
     const auto same =
         std::lower_bound(others.begin(), others.end(), motion.joint,
                          [](const JointMotion& other, int joint) { return other.joint < joint; });
-    const bool found = same != others.end() && same->joint == motion.joint;
-    return found && same->bindings.size() == motion.bindings.size()
-               ? static_cast<std::size_t>(same - others.begin())
-               : others.size();
+    assert(same != others.end() && same->joint == motion.joint);  // a clip is a part of the whole
+    return same->bindings.size() == motion.bindings.size() ? static_cast<std::size_t>(same - others.begin())
+                                                           : others.size();
 }
 
 // What moves wildly takes keys that the file does not have: so many, of all motions together, are its due.

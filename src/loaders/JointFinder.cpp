@@ -1,6 +1,7 @@
 #include "loaders/JointFinder.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace walkcycle {
 
@@ -28,7 +29,7 @@ int JointFinder::nearestCommonAncestor(int a, int b) const {
     const auto& joints = skeletons_.scene().skeleton.joints;
     while (a != b) {  // parents have smaller indices than their children
         int& later = a > b ? a : b;
-        if (later == kNoParent) return kNoParent;
+        assert(later != kNoParent);  // it is the smallest
         later = joints[static_cast<std::size_t>(later)].parent;
     }
     return a;

@@ -27,7 +27,6 @@ std::shared_ptr<const FloatSource> readFloats(const Input& input, std::size_t le
         return nullptr;
     }
     auto source = context.sources.floats(input.source, numbers);
-    if (source && source->width == 0) return nullptr;
     if (source) checkWidth(input, *source, least, most, context);
     return source;
 }

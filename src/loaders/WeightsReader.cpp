@@ -174,7 +174,7 @@ std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, 
         context.require(wanted, &LoadLimits::maxInfluencesPerVertex, element);
         if (count < 0 || wanted > groups - used) {
             context.diagnostics.report(
-                Code::CountMismatch, element ? element : vertexWeights,
+                Code::CountMismatch, element,
                 {"v", "at least " + std::to_string(used + wanted), "influences", std::to_string(groups)},
                 element.lineOfWord(usable.size()));
             return usable;

@@ -40,7 +40,7 @@ TEST(AssetReaderTest, withoutOneItIsMetresAndYUp) {
 }
 
 TEST(AssetReaderTest, aUnitOrAxisThatCannotBeUsedIsReportedAndTheDefaultTaken) {
-    for (const char* meter : {"0", "-1", "NaN", "INF", "1,0", "", "1e300"}) {
+    for (const char* meter : {"0", "-1", "NaN", "INF", "1,0", "", "1e13", "1e300"}) {
         TestLoad load(withAsset("\n<unit meter='" + std::string(meter) + "'/>"));
         EXPECT_EQ(readAsset(load.collada, load.context).metersPerUnit, 1.0);
         EXPECT_THAT(load.diagnostics.all(), ElementsAre(says("WC0110", 3, "COLLADA/asset/unit"))) << meter;

@@ -118,5 +118,21 @@ TEST_F(JointFinderTest, nodesMeetAtTheirNearestCommonAncestor) {
     EXPECT_EQ(finder.nearestCommonAncestor(kNoParent, joint("left")), kNoParent);
 }
 
+TEST(JointFinderInstancesTest, ofTheOccurrencesOfASkeletonOneIsMeantAndAlwaysTheSame) {
+    TestLoad load(
+        "<COLLADA><library_nodes><node id='rig'><node id='toe' sid='toe'/></node></library_nodes>"
+        "<visual_scene id='scene'><node id='a'><instance_node url='#rig'/><node id='mesh'/></node>"
+        "<node id='b'><node id='deep'><instance_node url='#rig'/></node></node></visual_scene>"
+        "<instance_controller id='to'><skeleton>#rig</skeleton></instance_controller></COLLADA>");
+    Asset asset;
+    SkeletonLoader skeletons(load.context, asset, load.collada);
+    skeletons.addScene(load.byId("scene"));
+    JointFinder finder(load.context, skeletons);
+    const std::vector<int> roots = finder.skeletonRoots(load.byId("to"));
+    ASSERT_EQ(roots.size(), 1u);
+    EXPECT_EQ(roots[0], 1) << "the first in the order of the file";
+    EXPECT_EQ(finder.find("toe", false, roots, 3, load.collada), 2);
+}
+
 }  // namespace
 }  // namespace walkcycle

@@ -53,5 +53,37 @@ TEST(MatrixPartsTest, blendsTurnTheShortWay) {
     EXPECT_NEAR(blend(a, b, 0.5).toMatrix()[0].x, -1.0, 1e-12);
 }
 
+// Whatever is lost, the parts make the matrix again, and what is left says how it is turned.
+TEST(MatrixPartsTest, anyAxesMayBeLost) {
+    const glm::dquat near = glm::angleAxis(1.0, glm::normalize(glm::dvec3(1, 1, 0)));
+    const glm::dmat4 turn = turned(35);
+    for (const glm::dvec3& scale : {glm::dvec3(0, 1, 1), glm::dvec3(1, 0, 1), glm::dvec3(1, 1, 0),
+                                    glm::dvec3(0, 0, 2), glm::dvec3(0, 2, 0), glm::dvec3(2, 0, 0)}) {
+        const glm::dmat4 matrix = glm::scale(turn, scale);
+        const MatrixParts parts = partsOf(matrix, near);
+        EXPECT_LT(apart(parts.toMatrix(), matrix), 1e-12) << scale.x << scale.y << scale.z;
+        const bool oneLost = scale.x + scale.y + scale.z == 2.0 && scale.x < 2 && scale.y < 2 && scale.z < 2;
+        EXPECT_EQ(parts.turns, oneLost);
+        if (oneLost) {
+            EXPECT_LT(apart(glm::dmat4(glm::mat3_cast(parts.rotation)), turn), 1e-12);
+        }
+    }
+}
+
+// The rotation that is given may have its axes just where the only one left is: then its others serve.
+TEST(MatrixPartsTest, theOneAxisThatIsLeftMayLieAlongAnyOther) {
+    const std::vector<glm::dvec3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int column = 0; column < 3; ++column)
+        for (const glm::dvec3& along : axes) {
+            glm::dmat4 matrix(0.0);
+            matrix[3].w = 1.0;
+            matrix[column] = glm::dvec4(3.0 * along, 0.0);
+            const MatrixParts parts = partsOf(matrix);
+            EXPECT_FALSE(parts.turns);
+            EXPECT_LT(apart(parts.toMatrix(), matrix), 1e-12);
+            EXPECT_NEAR(glm::length(parts.rotation), 1.0, 1e-12);
+        }
+}
+
 }  // namespace
 }  // namespace walkcycle

@@ -102,5 +102,45 @@ TEST(MorphLoaderTest, everythingStaysFinite) {
     for (const glm::vec3& delta : morph.normalDeltas) EXPECT_TRUE(std::isfinite(delta.x + delta.y + delta.z));
 }
 
+// Each of the base's corners has a normal; the last one has a position that is not there, and lines have no normals.
+std::string litWithLine(const std::string& p) {
+    return source("n", 3, "0 0 1 0 1 0") + vertices(kSquare) + "<lines count=\"1\">" + kVertex +
+           "<p>0 1</p></lines><triangles count=\"2\">" + kVertex + input("NORMAL", "n", 1) + "<p>" + p +
+           "</p></triangles>";
+}
+
+TEST(MorphLoaderTest, cornersThatOneOfTheTwoDoesNotHaveDoNotTurn) {
+    const GeometryFixture base(litWithLine("0 0 1 0 2 0 0 0 2 0 3 0")),
+        lost(litWithLine("0 1 1 1 2 1 0 1 2 1 9 1"));
+    const MorphTarget morph = makeMorphTarget(base.loaded, lost.loaded, MorphMethod::Normalized, "");
+    for (const glm::vec3& delta : morph.normalDeltas) EXPECT_EQ(delta, glm::vec3(0.0f)) << "polygons differ";
+    const MorphTarget both = makeMorphTarget(lost.loaded, lost.loaded, MorphMethod::Normalized, "");
+    for (const glm::vec3& delta : both.normalDeltas) EXPECT_EQ(delta, glm::vec3(0.0f));
+    const GeometryFixture turned(litWithLine("0 1 1 1 2 1 0 1 2 1 3 1"));
+    const MorphTarget all = makeMorphTarget(base.loaded, turned.loaded, MorphMethod::Normalized, "");
+    EXPECT_EQ(all.normalDeltas[base.mesh().indices.back()], glm::vec3(0, 1, -1));
+    EXPECT_EQ(all.normalDeltas[base.mesh().indices.front()], glm::vec3(0.0f)) << "of the line";
+}
+
+TEST(MorphLoaderTest, targetsOfOtherPolygonsTurnByTheirShape) {
+    const GeometryFixture base(litWithLine("0 0 1 0 2 0 0 0 2 0 9 0")),
+        fewer(source("n", 3, "0 0 1") + vertices(kLowered) + "<triangles count=\"1\">" + kVertex +
+              input("NORMAL", "n", 1) + "<p>0 0 1 0 2 0</p></triangles>");
+    const MorphTarget morph = makeMorphTarget(base.loaded, fewer.loaded, MorphMethod::Normalized, "");
+    const std::uint32_t vertex = base.loaded.cornerVertices.at(0);
+    EXPECT_LT(glm::length(base.mesh().normals[vertex] + morph.normalDeltas[vertex] -
+                          glm::normalize(glm::vec3(1, 0, 1))),
+              1e-6f);
+}
+
+TEST(MorphLoaderTest, normalsByPositionLeaveLinesAlone) {
+    const std::string normals = source("up", 3, "0 1 0 0 1 0 0 1 0 0 1 0");
+    const GeometryFixture base(litWithLine("0 0 1 0 2 0 0 0 2 0 3 0")),
+        target(normals + vertices(kLowered, "<input semantic=\"NORMAL\" source=\"#up\"/>"));
+    const MorphTarget morph = makeMorphTarget(base.loaded, target.loaded, MorphMethod::Normalized, "");
+    EXPECT_EQ(morph.normalDeltas[base.mesh().indices.back()], glm::vec3(0, 1, -1));
+    EXPECT_EQ(morph.normalDeltas[base.mesh().indices.front()], glm::vec3(0.0f));
+}
+
 }  // namespace
 }  // namespace walkcycle

@@ -148,5 +148,61 @@ TEST(ParameterFinderTest, visibilityBlinks) {
     EXPECT_THAT(parametersAt(model, 1.1), ElementsAre(0.0f));
 }
 
+const std::string kCameraAndLamp =
+    "<library_cameras><camera id='cam' name='c'><optics sid='o'><technique_common><perspective><xfov "
+    "sid='fov'>40</xfov><znear>0.1</znear><zfar>10</zfar></perspective></technique_common></optics></camera>"
+    "</library_cameras><library_lights><light id='lamp'><technique_common sid='t'><point><color sid='c'>1 "
+    "0.5 0"
+    "</color></point></technique_common></light></library_lights>";
+
+TEST(ParameterFinderTest, elementsThatHoldNoValueAreANote) {
+    for (const char* target : {"cam/o", "lamp/t", "box/name"}) {
+        const Model model = loadText(collada(
+            triangle() + kCameraAndLamp + moved(target, "0 1") +
+            scene("<node id='box'><extra><technique profile='p'><name sid='name'/></technique></extra>"
+                  "<instance_camera url='#cam'/><instance_light url='#lamp'/></node>")));
+        EXPECT_THAT(codes(model.diagnostics), ElementsAre("WC0508")) << target;
+        EXPECT_THAT(model.animations, IsEmpty());
+    }
+    const Model unused = loadText(boxWith("", kCameraAndLamp + moved("lamp/c.R", "0 1")));
+    EXPECT_THAT(codes(unused.diagnostics), ElementsAre("WC0508")) << "no scene shows the lamp";
+}
+
+TEST(ParameterFinderTest, channelsOfOneNumberShareItsParameter) {
+    const AnimationText a{.target = "lamp/c.R", .times = "0 1", .values = "0 1", .id = "a"};
+    const AnimationText b{
+        .target = "lamp/c", .times = "2 3", .values = "0 0 0 1 1 1", .params = "RGB", .id = "b"};
+    const Model model = loadText(collada(kCameraAndLamp + animations(a.text() + b.text()) +
+                                         scene("<node><instance_light url='#lamp'/></node>")));
+    EXPECT_THAT(model.parameters, SizeIs(3));
+    EXPECT_THAT(model.animations.at(0).parameterTracks, SizeIs(3));
+}
+
+TEST(ParameterFinderTest, aParameterMovesEverySlotOfTheMaterialThatRefersToIt) {
+    const std::string profile =
+        "<newparam sid='tint'><float4>1 0 0 1</float4></newparam>"
+        "<newparam sid='other'><float4>1 0 0 1</float4></newparam>";
+    std::string text =
+        boxOfColour(profile, "<param ref='tint'/>", moved("red/tint", "1 0 0 1 0 0 1 1", "RGBA"));
+    const std::string instance = "<instance_effect url='#fx'/>";
+    text.replace(
+        text.find(instance), instance.size(),
+        "<instance_effect url='#fx'><setparam ref='tint' sid='tint'><float4 sid='tint'>1 0 0 1</float4>"
+        "</setparam></instance_effect>");
+    text.insert(text.find("<shininess>"), "<emission><param ref='other'/></emission>");
+    const Model model = loadText(text);
+    ASSERT_THAT(model.animations, SizeIs(1));
+    EXPECT_NEAR(materialAt(model, 1.0).slot(Slot::Diffuse).color.b, 0.5f, 1e-3f);
+    EXPECT_EQ(materialAt(model, 1.0).slot(Slot::Emission).color.b, 0.0f);
+}
+
+TEST(ParameterFinderTest, aWholeSlotIsItsColour) {
+    std::string text = boxOfColour("", "<color>1 0 0 1</color>", moved("fx/d", "1 0 0 1 0 0 1 1", "RGBA"));
+    text.replace(text.find("<diffuse>"), 9, "<diffuse sid='d'>");
+    EXPECT_NEAR(materialAt(loadText(text), 1.0).slot(Slot::Diffuse).color.b, 0.5f, 1e-3f);
+    const Model odd = loadText(boxOfColour("", "<color>1 0 0 1</color>", moved("fx/common", "0 1")));
+    EXPECT_THAT(codes(odd.diagnostics), ElementsAre("WC0508")) << "a technique has no number";
+}
+
 }  // namespace
 }  // namespace walkcycle

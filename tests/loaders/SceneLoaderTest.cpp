@@ -208,5 +208,32 @@ TEST(SceneLoaderTest, camerasAndLightsThatAreNotThereAreErrors) {
     EXPECT_THAT(codes(loadText(text).diagnostics), ElementsAre("WC0201", "WC0201"));
 }
 
+TEST(SceneLoaderTest, aSceneThatIsWantedWhereThereIsNoneIsSaid) {
+    LoadOptions options;
+    options.scene = "other";
+    const Diagnostic why = whyNot(collada(triangle()), options);
+    EXPECT_EQ(why.code, "WC0703");
+    EXPECT_THAT(why.message, testing::HasSubstr("none"));
+}
+
+TEST(SceneLoaderTest, aLightOfNoKindIsSaidOnceHoweverManyNodesShowIt) {
+    const Model model = loadText(
+        collada("<library_lights><light id='l'><technique_common/></light></library_lights>" + triangle() +
+                scene("<node><instance_light url='#l'/><instance_geometry url='#mesh'/></node>"
+                      "<node><instance_light url='#l'/></node>")));
+    ASSERT_THAT(codes(model.diagnostics), testing::ElementsAre("WC0705"));
+    EXPECT_EQ(model.diagnostics[0].repeats, 0);
+    EXPECT_TRUE(model.lightInstances.empty());
+}
+
+TEST(SceneLoaderTest, aLightsColourMayHaveAnAlpha) {
+    const Model model = loadText(collada(
+        "<library_lights><light id='l'><technique_common><ambient><color>1 0.5 0 1</color></ambient>"
+        "</technique_common></light></library_lights>" +
+        triangle() + scene("<node><instance_light url='#l'/><instance_geometry url='#mesh'/></node>")));
+    EXPECT_TRUE(model.diagnostics.empty());
+    EXPECT_EQ(model.lights.at(0).color, glm::vec3(1.0f, 0.5f, 0.0f));
+}
+
 }  // namespace
 }  // namespace walkcycle

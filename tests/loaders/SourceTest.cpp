@@ -250,5 +250,37 @@ TEST(SourceTest, listsOfIndicesSpeakOfTheirOwnElement) {
     EXPECT_THAT(load.diagnostics.all(), ElementsAre(says("WC0204", 3, "COLLADA/p")));
 }
 
+TEST(SourceTest, aTypeOfSeveralNumbersTakesAsMany) {
+    for (const char* type : {"float3", "double3", "float3z"}) {
+        const Reading reading(
+            source("1 2 3 4 5 6", "<accessor source='#a' count='2' stride='3'><param name='P' type='" +
+                                      std::string(type) + "'/></accessor>"));
+        EXPECT_EQ(reading.result->width, 3u) << type;
+        EXPECT_THAT(reading.said(), IsEmpty()) << type;
+    }
+    const Reading square(source("1 2 3 4",
+                                "<accessor source='#a' count='1' stride='4'><param name='P' "
+                                "type='float2x2'/></accessor>"));
+    EXPECT_EQ(square.result->width, 4u);
+}
+
+TEST(SourceTest, moreParamsThanAnythingHasDoNotWidenTheEntries) {
+    std::string params;
+    for (int i = 0; i < 17; ++i) params += "<param name='P' type='float'/>";
+    const Reading reading(source("1 2 3", "<accessor source='#a' count='3'>" + params + "</accessor>"));
+    EXPECT_THAT(codes(reading.said()), Contains("WC0205"));
+    EXPECT_THAT(reading.values, ElementsAre(1, 2, 3));
+}
+
+TEST(SourceTest, anAccessorWithoutACountGivesWhatThereIsAndIsReported) {
+    const Reading reading(source("1 2 3 4", "<accessor source='#a' stride='2'/>"));
+    ASSERT_THAT(codes(reading.said()), ElementsAre("WC0202"));
+    EXPECT_EQ(reading.result->count(), 2u);
+    const Reading none(source("1 2 3 4", "<accessor source='#a' count='0'/>"));
+    EXPECT_EQ(none.result->count(), 0u);
+    const Reading uneven(source("1 2 3 4 5", "<accessor source='#a' count='2'/>"));
+    EXPECT_EQ(uneven.result->count(), 2u);
+}
+
 }  // namespace
 }  // namespace walkcycle

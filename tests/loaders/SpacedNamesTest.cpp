@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "loaders/LoadText.h"
+#include "loaders/NumberParser.h"
 #include "loaders/SpacedNames.h"
 
 namespace walkcycle {
@@ -35,6 +36,26 @@ TEST(SpacedNamesTest, wordsThatMakeNoSuchNamesStayWords) {
     const Model model = spacedSkin("3");
 
     EXPECT_FALSE(model.diagnostics.empty());
+}
+
+std::vector<std::string_view> wordsOf(const std::string& text) {
+    return splitWords(text);
+}
+
+TEST(SpacedNamesTest, onlyAsManyNamesAsTheCountSaysAreMade) {
+    TestLoad load(
+        "<COLLADA><library_nodes><node name='Left Leg'/><node sid='Left'/><node "
+        "id='Arm'/></library_nodes></COLLADA>");
+    const std::string three = "Left Leg Left Arm", odd = "Left Leg Tail Arm";
+    EXPECT_EQ(joinSpacedNames(wordsOf(three), 3, load.collada),
+              (std::vector<std::string>{"Left Leg", "Left", "Arm"}));
+    EXPECT_FALSE(joinSpacedNames(wordsOf(three), 2, load.collada)) << "more names than the count";
+    EXPECT_FALSE(joinSpacedNames(wordsOf(three), 4, load.collada)) << "each word is a name";
+    EXPECT_FALSE(joinSpacedNames(wordsOf(three), 0, load.collada));
+    EXPECT_FALSE(joinSpacedNames(wordsOf(odd), 3, load.collada)) << "no node is called Tail";
+    std::string many;
+    for (int i = 0; i < 20; ++i) many += "Arm ";
+    EXPECT_FALSE(joinSpacedNames(wordsOf(many), 1, load.collada)) << "no name has so many words";
 }
 
 }  // namespace

@@ -57,5 +57,17 @@ TEST(TangentsTest, withoutAPictureAnyDirectionAlongTheSurfaceWillDo) {
     }
 }
 
+TEST(TangentsTest, linesHaveNone) {
+    MeshData mesh = square({{0, 0}, {0, -1}, {1, -1}, {1, 0}});
+    mesh.parts[0].indexCount = 3;
+    mesh.parts.emplace_back();
+    mesh.parts[1].primitive = Primitive::Lines;
+    mesh.parts[1].firstIndex = 3;
+    mesh.parts[1].indexCount = 2;
+    makeTangents(mesh, 0);
+    EXPECT_EQ(mesh.tangents.at(0), glm::vec4(0, 1, 0, 1));
+    EXPECT_EQ(mesh.tangents.at(3), glm::vec4(1, 0, 0, 1)) << "any will do where no triangle is";
+}
+
 }  // namespace
 }  // namespace walkcycle

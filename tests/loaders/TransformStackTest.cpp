@@ -95,5 +95,23 @@ TEST(TransformStackTest, missingNumbersDoNothingAndAreReportedWithTheirLine) {
     EXPECT_EQ(s.load.diagnostics.all()[1].line, s.load.diagnostics.all()[0].line + 1);
 }
 
+TEST(TransformStackTest, aViewAlongItsUpDirectionTakesAnotherOne) {
+    const Stack down("<lookat>0 5 0 0 0 0 0 1 0</lookat>"), ahead("<lookat>0 0 5 0 0 0 0 0 1</lookat>");
+    expectNear(down.moves({0, 0, -1}), {0, 4, 0});
+    expectNear(ahead.moves({0, 0, -1}), {0, 0, 4});
+    EXPECT_THAT(codes(down.load.diagnostics.all()), ElementsAre("WC0711"));
+    EXPECT_THAT(codes(ahead.load.diagnostics.all()), ElementsAre("WC0711"));
+}
+
+TEST(TransformStackTest, aSkewWithoutAnAxisOrPastItsOtherAxisIsNone) {
+    for (const char* skew :
+         {"45 0 0 0 1 0 0", "45 1 0 0 0 0 0", "45 1 0 0 2 0 0", "90 0 1 0 1 0 0", "120 0 1 0 1 0 0"}) {
+        const Stack s("<skew>" + std::string(skew) + "</skew>");
+        expectNear(s.moves({1, 2, 3}), {1, 2, 3});
+        EXPECT_THAT(codes(s.load.diagnostics.all()), ElementsAre("WC0711")) << skew;
+    }
+    EXPECT_THAT(Stack("<skew>0 0 1 0 1 0 0</skew>").load.diagnostics.all(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace walkcycle
