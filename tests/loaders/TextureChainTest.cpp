@@ -96,7 +96,8 @@ TEST(TextureChainTest, whereTheChainBreaksIsSaid) {
     EXPECT_THAT(reasonOf(sampled("<source>surf</source>", "<init_from>none</init_from>")),
                 HasSubstr("there is no image 'none'"));
     EXPECT_THAT(reasonOf(sampled("<instance_image url='#e'/>")), HasSubstr("there is no image '#e'"));
-    EXPECT_THAT(reasonOf({.shader = "<diffuse><texture texcoord='UV'/></diffuse>"}), HasSubstr("'' of the effect"));
+    EXPECT_THAT(reasonOf({.shader = "<diffuse><texture texcoord='UV'/></diffuse>"}),
+                HasSubstr("'' of the effect"));
 }
 
 TEST(TextureChainTest, imagesOf15HoldTheirPictureOneStepFurtherIn) {
