@@ -92,15 +92,16 @@ Framebuffer::Resolver::Resolver(int width, int height)
     requireComplete(width, height);
 }
 
-const ShaderProgram& Framebuffer::Resolver::program() {
+const ShaderProgram& Framebuffer::Resolver::program(int samples) {
+    const std::string defines = "#define SAMPLES " + std::to_string(samples) + "\n";
     if (!underlay) {
-        if (!plain) plain.emplace(ShaderProgram({{"backgroundVertex"}, {"resolveFragment"}}));
+        if (!plain) plain.emplace(ShaderProgram({{"backgroundVertex"}, {"resolveFragment"}}, defines));
         return *plain;
     }
     std::optional<ShaderProgram>& found = underlay->grid ? withGrid : withBackdrop;
     if (!found)
         found.emplace(ShaderProgram({{"backgroundVertex"}, {"backdrop", "resolveFragment"}},
-                                    underlay->defines() + "#define BACKDROP\n"));
+                                    defines + underlay->defines() + "#define BACKDROP\n"));
     return *found;
 }
 
@@ -147,10 +148,9 @@ void Framebuffer::resolve() const {
     glBlendFunc(GL_ONE, GL_ZERO);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samplesTexture_.id());
-    const ShaderProgram& program = resolver_->program();
+    const ShaderProgram& program = resolver_->program(samples_);
     program.start();
     program.setSampler("samples", 0);
-    setUniform(program.uniform("sampleCount"), samples_);
     if (resolver_->underlay) resolver_->underlay->load(program);
     resolver_->noInputs.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);

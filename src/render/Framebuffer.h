@@ -42,7 +42,7 @@ private:
     // software OpenGL makes for glBlitFramebuffer is compiled anew in each process, for 50 ms.
     struct Resolver {
         Resolver(int width, int height);
-        const ShaderProgram& program();  // for the underlay as it is
+        const ShaderProgram& program(int samples);  // for the underlay as it is
 
         GlObject<gl::deleteFramebuffer> framebuffer;
         Renderbuffer color;

@@ -44,6 +44,9 @@ void main() {
     // A faint sheen, more at grazing angles, tells round from flat.
     vec3 halfway = normalize(keyDirection + view);
     float grazing = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
-    float sheen = 0.05 * pow(max(dot(normal, halfway), 0.0), 24.0) + 0.04 * grazing;
+    float alignment = max(dot(normal, halfway), 0.0);
+    float cube = alignment * alignment * alignment;
+    float sixth = cube * cube, twelfth = sixth * sixth;
+    float sheen = 0.05 * twelfth * twelfth + 0.04 * grazing;
     giveLight(baseColor() * light + vec3(sheen) + emission(), alpha);
 }
