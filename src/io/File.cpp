@@ -35,7 +35,7 @@ constexpr std::size_t kChunk = std::size_t{1} << 20;
 class Descriptor {
 public:
     explicit Descriptor(int fd) : fd_(fd) {}
-    Descriptor(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
     Descriptor& operator=(const Descriptor&) = delete;
     ~Descriptor() {
         if (fd_ >= 0) ::close(fd_);
@@ -173,10 +173,11 @@ void writeBesideAndRename(const std::string& path, std::span<const std::uint8_t>
 
 }  // namespace
 
-Bytes readFile(const std::string& path, std::uint64_t maxBytes) {
-    if (path == "-") return readAll(STDIN_FILENO, kChunk, maxBytes, "standard input");
+namespace {
+
+// A regular file, opened to be read; says what is known of it.
+Descriptor openRegular(const std::string& path, std::uint64_t maxBytes, struct stat& status) {
     requirePlainPath("read", path);
-    struct stat status {};
     if (::stat(path.c_str(), &status) != 0) failWithErrno("read", path);
     if (!S_ISREG(status.st_mode)) fail("read", path, kindOfFile(status.st_mode));
     Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
@@ -184,8 +185,29 @@ Bytes readFile(const std::string& path, std::uint64_t maxBytes) {
     if (!S_ISREG(status.st_mode)) fail("read", path, kindOfFile(status.st_mode));
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
     if (size > maxBytes) failAsTooLarge(path, size, maxBytes);
-    Bytes bytes = readAll(file.get(), size, maxBytes, path);
+    return file;
+}
+
+}  // namespace
+
+Bytes readFile(const std::string& path, std::uint64_t maxBytes) {
+    if (path == "-") return readAll(STDIN_FILENO, kChunk, maxBytes, "standard input");
+    struct stat status {};
+    const Descriptor file = openRegular(path, maxBytes, status);
+    Bytes bytes = readAll(file.get(), static_cast<std::uint64_t>(status.st_size), maxBytes, path);
     requireUnchanged(file.get(), status, bytes.size(), path);
+    return bytes;
+}
+
+Bytes readFileStart(const std::string& path, std::uint64_t maxBytes, std::size_t count) {
+    struct stat status {};
+    const Descriptor file = openRegular(path, maxBytes, status);
+    Bytes bytes(count);
+    ssize_t got = 0;
+    do got = ::read(file.get(), bytes.data(), bytes.size());
+    while (got < 0 && errno == EINTR);
+    if (got < 0) failWithErrno("read", path);
+    bytes.resize(static_cast<std::size_t>(got));
     return bytes;
 }
 

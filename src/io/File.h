@@ -24,6 +24,9 @@ struct FileTooLarge : FileError {
 // (FileTooLarge), and files that change meanwhile.
 Bytes readFile(const std::string& path, std::uint64_t maxBytes);
 
+// No more than its first bytes, and the same of what it refuses.
+Bytes readFileStart(const std::string& path, std::uint64_t maxBytes, std::size_t count);
+
 // Writes a whole file or nothing: into a temporary file beside it, then renamed over it ("-": standard
 // output). The temporary file is removed when writing fails or the program is interrupted. A link is
 // followed, not replaced; pipes and devices are written to as they are.

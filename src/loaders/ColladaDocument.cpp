@@ -1,6 +1,7 @@
 #include "loaders/ColladaDocument.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include <tinyxml2.h>
 
@@ -151,6 +152,9 @@ bool ColladaDocument::placeNumberText() {
 }
 
 void ColladaDocument::indexIds(Diagnostics& diagnostics) {
+    hasPrefixes_ = false;
+    for (auto* element = xml_->RootElement(); element && !hasPrefixes_; element = nextInDocument(element))
+        hasPrefixes_ = std::strchr(element->Name(), ':') != nullptr;
     for (auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
         const char* id = element->Attribute("id");
         if (!id || !*id) continue;

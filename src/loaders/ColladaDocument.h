@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,6 +30,7 @@ public:
     const std::string& file() const { return file_; }
     XmlNode root() const { return root_; }
     XmlNode byId(std::string_view id) const;
+    bool hasPrefixes() const { return hasPrefixes_; }  // false: no element's name has a namespace prefix
 
 private:
     void decode(Bytes bytes, Diagnostics& diagnostics);
@@ -44,6 +46,7 @@ private:
     std::unique_ptr<tinyxml2::XMLDocument> xml_;
     XmlNode root_;
     std::unordered_map<std::string_view, const tinyxml2::XMLElement*> byId_;
+    bool hasPrefixes_ = true;
 };
 
 // The document that was asked for and the others that it refers to, each loaded once.
@@ -67,7 +70,9 @@ public:
 
     // Reads a file beside the document (a picture): archive member, resolver or disk. Empty optional: not there.
     // `path` is as the URI gave it, decoded, relative to the document's folder or absolute. foundPath names what was read.
-    std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath);
+    // Where `most` bytes of its start are enough, it may be no more than those.
+    std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath,
+                                    std::size_t most = SIZE_MAX);
     // Names of the files (not folders) in a folder relative to the document's; for looking for a picture.
     std::vector<std::string> listBeside(const XmlNode& from, const std::string& folder);
 

@@ -73,6 +73,15 @@ std::size_t Curve::segmentAt(double seconds, Side side) const {
     return std::min(static_cast<std::size_t>(key), segments.size() - 1);
 }
 
+// Looks first where the last time was, and just behind.
+std::size_t Curve::segmentAt(double seconds, Side side, std::size_t near) const {
+    for (std::size_t k = near; k < near + 2 && k < segments.size(); ++k) {
+        const double from = times[k], to = times[k + 1];
+        if (side == Side::Right ? from <= seconds && seconds < to : from < seconds && seconds <= to) return k;
+    }
+    return segmentAt(seconds, side);
+}
+
 double Curve::bezier(std::size_t segment, std::size_t component, double seconds) const {
     const glm::dvec2* handle = &handles[segments[segment].handles + 2 * component];
     const double s = bezierParameter(times[segment], handle[0].x, handle[1].x, times[segment + 1], seconds);
@@ -80,12 +89,12 @@ double Curve::bezier(std::size_t segment, std::size_t component, double seconds)
                  values[(segment + 1) * width + component], s);
 }
 
-void Curve::evaluateInside(double seconds, Side side, std::span<double> out) const {
+void Curve::evaluateInside(double seconds, Side side, std::span<double> out, std::size_t& place) const {
     if (segments.empty() || (side == Side::Right && seconds >= end())) {
         std::copy_n(values.end() - static_cast<std::ptrdiff_t>(width), width, out.begin());
         return;
     }
-    const std::size_t k = segmentAt(seconds, side);
+    const std::size_t k = place = segmentAt(seconds, side, place);
     const double length = times[k + 1] - times[k];
     const double progression = length > 0.0 ? (seconds - times[k]) / length : 0.0;  // seen from the left
     const double* a = &values[k * width];
@@ -103,13 +112,18 @@ void Curve::evaluateInside(double seconds, Side side, std::span<double> out) con
 }
 
 void Curve::evaluate(double seconds, Side side, std::span<double> out) const {
-    const Place place = placeOf(seconds, side);
-    evaluateInside(place.seconds, place.side, out);
-    if (place.cycles != 0.0)
+    std::size_t place = 0;
+    evaluate(seconds, side, out, place);
+}
+
+void Curve::evaluate(double seconds, Side side, std::span<double> out, std::size_t& place) const {
+    const Place at = placeOf(seconds, side);
+    evaluateInside(at.seconds, at.side, out, place);
+    if (at.cycles != 0.0)
         for (std::size_t c = 0; c < width; ++c)
-            out[c] += place.cycles * (values[values.size() - width + c] - values[c]);
-    if (place.beyond != 0.0)
-        for (std::size_t c = 0; c < width; ++c) out[c] += place.beyond * slope(place.beyond > 0.0, c);
+            out[c] += at.cycles * (values[values.size() - width + c] - values[c]);
+    if (at.beyond != 0.0)
+        for (std::size_t c = 0; c < width; ++c) out[c] += at.beyond * slope(at.beyond > 0.0, c);
 }
 
 // Value per second at the first or last key; along the handle, where there is one.

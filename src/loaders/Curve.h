@@ -44,6 +44,9 @@ public:
     // Writes `width` values. There must be a key.
     void evaluate(double seconds, Side side, std::span<double> out) const;
 
+    // The same, for many times in order: `place` is where the last one was found (0 at first).
+    void evaluate(double seconds, Side side, std::span<double> out, std::size_t& place) const;
+
     // True if nothing changes strictly between two times that have no knot between them.
     bool holds(double from, double to) const;
 
@@ -62,7 +65,8 @@ private:
     };
     Place placeOf(double seconds, Side side) const;
     std::size_t segmentAt(double seconds, Side side) const;
-    void evaluateInside(double seconds, Side side, std::span<double> out) const;
+    std::size_t segmentAt(double seconds, Side side, std::size_t near) const;
+    void evaluateInside(double seconds, Side side, std::span<double> out, std::size_t& place) const;
     double bezier(std::size_t segment, std::size_t component, double seconds) const;
     double slope(bool atEnd, std::size_t component) const;
 };

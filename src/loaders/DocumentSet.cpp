@@ -155,10 +155,10 @@ XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::str
 }
 
 std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::string& path,
-                                             std::string& foundPath) {
+                                             std::string& foundPath, std::size_t most) {
     const fs::path full = fs::path(from.file()).parent_path() / path;
     foundPath = full.lexically_normal().string();
-    return impl_->surroundings.read(from, full);
+    return impl_->surroundings.read(from, full, most);
 }
 
 std::vector<std::string> DocumentSet::listBeside(const XmlNode& from, const std::string& folder) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "loaders/RunFitter.h"
+#include "loaders/StackParts.h"
 
 namespace walkcycle {
 
@@ -44,6 +46,13 @@ bool isBeyondKeys(const JointMotion& motion, const std::vector<double>& knots, s
     return !(wanted < 2.5 * static_cast<double>(limit));
 }
 
+// Whether the knots are all that the file has, and none was left out for a limit.
+bool isAll(const JointMotion& motion, std::size_t limit) {
+    std::size_t knots = 2;
+    for (const CurveBinding& binding : motion.bindings) knots += binding.curve->times.size();
+    return knots < limit;
+}
+
 // A turn of more than half a circle looks like a short one from its ends, so long turns are cut up beforehand.
 std::vector<double> withTurnsCut(const JointMotion& motion, const std::vector<double>& knots,
                                  std::size_t limit) {
@@ -62,12 +71,17 @@ std::vector<double> withTurnsCut(const JointMotion& motion, const std::vector<do
 class TransformOf {
 public:
     TransformOf(const JointMotion& motion, const Tolerance& tolerance)
-        : motion_(motion), tolerance_(tolerance), straight_(motion.isStraight()) {}
+        : motion_(motion), tolerance_(tolerance), straight_(motion.isStraight()) {
+        if (StackParts::canTell(motion)) stack_.emplace(motion);
+    }
 
     MatrixParts at(double seconds, Side side) {
-        const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr;
-        MatrixParts parts = key ? *key : partsOf(motion_.localTransform(seconds, side), near_);
-        if (key && glm::dot(parts.rotation, near_) < 0.0) parts.rotation = -parts.rotation;
+        MatrixParts parts;
+        if (const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr)
+            parts = *key;
+        else if (!stack_ || !stack_->at(seconds, side, parts))
+            parts = partsOf(motion_.localTransform(seconds, side), near_);
+        if (glm::dot(parts.rotation, near_) < 0.0) parts.rotation = -parts.rotation;
         near_ = parts.rotation;
         const bool isMirrored = parts.stretch[0][0] < 0.0;
         if (first_) wasMirrored_ = isMirrored;
@@ -102,6 +116,7 @@ private:
     const JointMotion& motion_;
     const Tolerance& tolerance_;
     const bool straight_;
+    std::optional<StackParts> stack_;
     glm::dquat near_{1.0, 0.0, 0.0, 0.0};
     bool first_ = true, wasMirrored_ = false, fits_ = true;
 };
@@ -190,6 +205,7 @@ std::size_t mostKeys(std::size_t knots, std::size_t spare, std::size_t limit) {
 Channel fitChannel(const JointMotion& motion, double from, double to, const Tolerance& tolerance,
                    std::size_t limit, std::size_t spare) {
     const std::vector<double> times = motion.knots(from, to, limit);
+    const bool allKnots = isAll(motion, limit);
     limit = mostKeys(times.size(), spare, limit);
     const bool isBeyond = isBeyondKeys(motion, times, limit);
     const std::vector<double> knots = isBeyond ? times : withTurnsCut(motion, times, limit);
@@ -202,12 +218,13 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
     TransformOf transform(motion, tolerance);
     const auto exact = [&](double seconds, Side side) { return transform.at(seconds, side); };
 
-    if (!motion.isStraight() && !transform.fits(knots)) return fitMatrices(motion, runs, tolerance, limit);
+    const bool turnsStraight = !isBeyond && allKnots && knots.size() < limit && motion.turnsStraight();
+    const bool isStraight = turnsStraight || motion.isStraight();
+    if (!isStraight && !transform.fits(knots)) return fitMatrices(motion, runs, tolerance, limit);
     Channel straight{.joint = motion.joint};
     const bool byNumber = motion.isStraightByNumber();  // then matrices need no more keys than the file has
     const std::size_t fewEnough = std::min(limit, byNumber ? knots.size() + 1 : 2 * knots.size() + 32);
-    const bool enough =
-        fitRuns<StraightTransform>(runs, exact, tolerance, motion.isStraight(), fewEnough, straight);
+    const bool enough = fitRuns<StraightTransform>(runs, exact, tolerance, isStraight, fewEnough, straight);
     if (isBeyond && transform.fits()) return straight;
     if (!enough && spare == 0 && transform.fits()) return straight;
     if (byNumber && !enough) return fitMatrices(motion, runs, tolerance, limit);

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "loaders/StackParts.h"
+
 namespace walkcycle {
 
 namespace {
-
-// Whether a binding has taken over from its rivals at a time.
-template <typename Binding>
-bool rules(const Binding& binding, double seconds, Side side) {
-    return side == Side::Right ? seconds >= binding.from : seconds > binding.from;
-}
 
 template <typename Binding>
 std::vector<double> knotsOf(const std::vector<Binding>& bindings, double from, double to, std::size_t limit) {
@@ -81,13 +77,14 @@ glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
     glm::dmat4 product = outer;
     std::array<double, 16> moved;
     std::array<double, 16> numbers;
+    std::size_t place = 0;  // the curves of a joint mostly have the same times
     for (std::size_t e = 0; e < stack.size(); ++e) {
         const double* values = stack[e].values.data();
         for (const CurveBinding& b : bindings) {
             if (b.element != e || !rules(b, seconds, side)) continue;
             if (values != moved.data()) moved = stack[e].values;
             values = moved.data();
-            b.curve->evaluate(seconds, side, numbers);
+            b.curve->evaluate(seconds, side, numbers, place);
             for (std::size_t i = 0; i < b.count; ++i) moved[b.first + i] = b.scale * numbers[b.component + i];
         }
         product = product * matrixOf(stack[e].kind, values);
@@ -110,6 +107,32 @@ bool JointMotion::mayJump() const {
 bool JointMotion::isStraight() const {
     return stack.size() == 1 && outer == glm::dmat4(1.0) && bindings.size() == 1 && bindings[0].count == 16 &&
            goesStraight(*bindings[0].curve);
+}
+
+bool JointMotion::turnsStraight() const {
+    if (!StackParts::canTell(*this)) return false;
+    const auto isPlain = [](const CurveBinding& b) {
+        const bool isEndless = b.curve->before != Infinity::Constant || b.curve->after != Infinity::Constant;
+        return b.from < -1e300 && b.curve->parts.empty() && !isEndless && goesStraight(*b.curve);
+    };
+    if (!std::all_of(bindings.begin(), bindings.end(), isPlain)) return false;
+    bool turning = false;
+    for (std::size_t e = 0; e < stack.size(); ++e) {
+        const bool isRotate = stack[e].kind == TransformElement::Kind::Rotate;
+        const bool isTranslate = stack[e].kind == TransformElement::Kind::Translate;
+        std::size_t moves = 0;
+        for (const CurveBinding& b : bindings) {
+            if (b.element != e) continue;
+            if (isRotate && (b.first != 3 || turning || moves > 0)) return false;
+            ++moves;
+        }
+        const auto isZero = [](double number) { return number == 0.0; };
+        const auto& values = stack[e].values;
+        const bool stands = moves == 0 && std::all_of(values.begin(), values.begin() + 3, isZero);
+        if (turning && isTranslate && !stands) return false;
+        turning = turning || (isRotate && moves > 0);
+    }
+    return true;
 }
 
 bool JointMotion::isStraightByNumber() const {

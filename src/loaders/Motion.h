@@ -49,6 +49,9 @@ struct JointMotion {
     bool mayJump() const;
     // True if keyframes go just as it does between its knots: a whole <matrix> with LINEAR keys, and nothing else.
     bool isStraight() const;
+    // The same for a stack of translations, rotations and scales: one angle turns, and nothing that it turns moves.
+    // (As long as no two knots are more than half a circle apart.)
+    bool turnsStraight() const;
     // The same for matrix keyframes: every number of a <matrix> on LINEAR keys of its own.
     bool isStraightByNumber() const;
     // Says which of several bindings to the same numbers rules when (see CurveBinding::from).
@@ -75,6 +78,12 @@ struct ParameterMotion {
     bool mayJump() const;
     void settleRivals();
 };
+
+// Whether a binding has taken over from its rivals at a time.
+template <typename Binding>
+bool rules(const Binding& binding, double seconds, Side side) {
+    return side == Side::Right ? seconds >= binding.from : seconds > binding.from;
+}
 
 // Whether two channels move the same numbers of a joint's stack.
 bool overlap(const CurveBinding& a, const CurveBinding& b);

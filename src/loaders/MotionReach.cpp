@@ -145,7 +145,7 @@ double MotionReach::measure(const Model& model, const Motion& motion, const Anim
     std::vector<double> exactParameters(model.parameters.size());
     std::vector<float> keyedParameters = model.restParameters();
     Pose pose(model.skeleton);
-    double farthest = 0.0;
+    double farthest = 0.0;  // squared
     for (std::size_t m = 0; m < moments; ++m) {
         const double share = std::fmod((static_cast<double>(m) + 0.5) * 0.6180339887498949, 1.0);
         const double seconds = animation.startSeconds + share * animation.lengthInSeconds();
@@ -158,14 +158,17 @@ double MotionReach::measure(const Model& model, const Motion& motion, const Anim
         }
         chain(joints, exact);
         chain(joints, keyed);
-        for (std::size_t i = 0; i < joints.size(); ++i)
-            for (int c = 0; c < 8 && !boxes_[i].empty(); ++c) {
-                const glm::dvec3 corner = boxes_[i].corner(c);
-                farthest = std::max(
-                    farthest, glm::length(transformed(exact[i], corner) - transformed(keyed[i], corner)));
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            if (boxes_[i].empty()) continue;
+            const glm::dmat3 linear = glm::dmat3(exact[i]) - glm::dmat3(keyed[i]);
+            const glm::dvec3 shift = glm::dvec3(exact[i][3]) - glm::dvec3(keyed[i][3]);
+            for (int c = 0; c < 8; ++c) {
+                const glm::dvec3 apart = linear * boxes_[i].corner(c) + shift;
+                farthest = std::max(farthest, glm::dot(apart, apart));
             }
+        }
     }
-    return farthest / modelSize_;
+    return std::sqrt(farthest) / modelSize_;
 }
 
 }  // namespace walkcycle

@@ -4,7 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <system_error>
+#include <thread>
 
 #include "loaders/PlainNumber.h"
 
@@ -71,9 +74,16 @@ public:
     ListReader(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults)
         : text_(text), values_(values), faults_(faults), before_(values.size()) {}
 
+    // Makes room for about so many values.
+    void reserve(std::size_t more) {
+        // As push_back() does it, not exactly: many short lists may be appended to one vector.
+        const std::size_t wanted = values_.size() + more;
+        if (wanted > values_.capacity())
+            values_.reserve(values_.empty() ? wanted : std::max(wanted, 2 * values_.capacity()));
+    }
+
     // All words but the last few are read where they stand; those from a copy with more behind it.
     void read() {
-        reserve(estimateWords(text_));
         const std::size_t tail = lastWords();
         if (tail > 0) readWords(text_.data(), text_.data() + tail, 0);
         constexpr std::string_view kBehind = " 0       ";
@@ -88,13 +98,6 @@ public:
     }
 
 private:
-    // Room is made as push_back() does it, not exactly: many short lists may be appended to one vector.
-    void reserve(std::size_t more) {
-        const std::size_t wanted = values_.size() + more;
-        if (wanted > values_.capacity())
-            values_.reserve(values_.empty() ? wanted : std::max(wanted, 2 * values_.capacity()));
-    }
-
     // Where a word begins that has seven characters more behind its first; the text's start where there is none.
     std::size_t lastWords() const {
         std::size_t at = text_.size() < 8 ? 0 : text_.size() - 8;
@@ -137,9 +140,53 @@ private:
     std::size_t before_;
 };
 
+// A thread of its own takes as long to begin as a few ten thousand characters to read.
+constexpr std::size_t kWorthAThread = std::size_t{1} << 19;
+
+// Behind the white space that is nearest to the middle of a text, or behind it all.
+std::size_t middleOf(std::string_view text) {
+    std::size_t at = text.size() / 2;
+    while (at < text.size() && !isSpace(text[at])) ++at;
+    return at;
+}
+
+template <typename T>
+void parseWhole(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
+    ListReader<T> reader(text, values, faults);
+    reader.reserve(estimateWords(text));
+    reader.read();
+}
+
+// Reads the second half on another thread, and puts it behind the first: all comes out as if read in one go.
+template <typename T>
+void parseHalves(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
+    const std::size_t before = values.size(), middle = middleOf(text);
+    const std::string_view half = text.substr(middle);
+    std::vector<T> others;
+    std::vector<NumberFault> otherFaults;
+    auto other = std::async(std::launch::async, [&] { parseWhole(half, others, otherFaults); });
+    ListReader<T> reader(text.substr(0, middle), values, faults);
+    reader.reserve(estimateWords(text));
+    reader.read();
+    other.get();
+    for (NumberFault& fault : otherFaults) {
+        if (faults.size() >= kMaxFaults) break;
+        fault.index += values.size() - before;
+        fault.offset += middle;
+        faults.push_back(fault);
+    }
+    values.insert(values.end(), others.begin(), others.end());
+}
+
 template <typename T>
 void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
-    ListReader<T>(text, values, faults).read();
+    if (text.size() < kWorthAThread || std::thread::hardware_concurrency() < 2)
+        return parseWhole(text, values, faults);
+    try {
+        parseHalves(text, values, faults);
+    } catch (const std::system_error&) {  // no more threads for us: nothing has been read yet
+        parseWhole(text, values, faults);
+    }
 }
 
 constexpr int kTokensAround = 3;

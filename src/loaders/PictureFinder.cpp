@@ -171,7 +171,8 @@ std::optional<PictureFinder::File> PictureFinder::read(XmlNode where, const std:
     try {
         std::string found;
         const std::string normal = fs::path(path).lexically_normal().string();
-        if (std::optional<Bytes> bytes = context_.documents.readBeside(where, normal, found))
+        const std::size_t most = context_.options.loadImages ? SIZE_MAX : 64;  // for looksLikePicture
+        if (std::optional<Bytes> bytes = context_.documents.readBeside(where, normal, found, most))
             return File{std::move(found), std::move(*bytes)};
     } catch (const FileTooLarge& error) {
         context_.diagnostics.report(

@@ -21,12 +21,6 @@ bool isInside(const fs::path& path, const fs::path& folder) {
     return end == folder.end() || (std::next(end) == folder.end() && end->empty());
 }
 
-// Absolute first: of a relative path that is not there weakly_canonical makes nothing absolute.
-fs::path trueLocation(const fs::path& path, std::error_code& error) {
-    const fs::path absolute = fs::absolute(path, error);
-    return error ? fs::path() : fs::weakly_canonical(absolute, error);
-}
-
 std::vector<std::string> namesIn(const Archive& archive, const fs::path& folder) {
     const fs::path normal = folder.lexically_normal();
     std::vector<std::string> names;
@@ -57,6 +51,23 @@ char lowerCase(char c) {
 
 }  // namespace
 
+// Absolute first: of a relative path that is not there weakly_canonical makes nothing absolute. That asks the system for
+// each step of the path, so a folder is looked up once; a last step that is no link has no say.
+fs::path Surroundings::trueLocation(const fs::path& path, std::error_code& error) const {
+    const fs::path absolute = fs::absolute(path, error);
+    if (error) return {};
+    const fs::path name = absolute.filename();
+    std::error_code unseen;
+    const fs::file_type type = fs::symlink_status(absolute, unseen).type();
+    const bool isPlain = type == fs::file_type::regular || type == fs::file_type::not_found;
+    if (!isPlain || name.empty() || name == "." || name == "..") return fs::weakly_canonical(absolute, error);
+    const auto [folder, isNew] = folders_.try_emplace(absolute.parent_path().string());
+    if (isNew) folder->second = fs::weakly_canonical(absolute.parent_path(), error);
+    if (!error) return folder->second / name;
+    folders_.erase(folder);
+    return {};
+}
+
 void Surroundings::useFolder(const fs::path& folder) {
     std::error_code error;
     root_ = trueLocation(folder.empty() ? fs::path(".") : folder, error);
@@ -72,7 +83,7 @@ bool Surroundings::mayOpen(const fs::path& path) const {
         [&](const std::string& allowed) { return isInside(meant, trueLocation(fs::path(allowed), error)); });
 }
 
-std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& path) const {
+std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& path, std::size_t most) const {
     const std::string normal = path.lexically_normal().string();
     if (archive_) return archive_->contains(normal) ? std::optional(archive_->read(normal)) : std::nullopt;
     if (options_.resolver) return options_.resolver(normal);
@@ -83,7 +94,9 @@ std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& pat
     }
     std::error_code error;
     if (!fs::is_regular_file(path, error)) return std::nullopt;
-    return readFile(path.string(), options_.limits.maxFileBytes);
+    const std::uint64_t maxBytes = options_.limits.maxFileBytes;
+    return most == SIZE_MAX ? readFile(path.string(), maxBytes)
+                            : readFileStart(path.string(), maxBytes, most);
 }
 
 const std::vector<std::string>& Surroundings::list(const fs::path& folder) {

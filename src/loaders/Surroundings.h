@@ -26,17 +26,21 @@ public:
 
     // The bytes of a regular file; nothing where there is none or it may not be opened (reported at `from`).
     // Throws FileError or ArchiveError where it is there and cannot be read.
-    std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path) const;
+    // Of a file on disk no more than `most` bytes.
+    std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path,
+                              std::size_t most = SIZE_MAX) const;
     // Names of the files in a folder, sorted. A folder is read once.
     const std::vector<std::string>& list(const std::filesystem::path& folder);
 
 private:
     bool mayOpen(const std::filesystem::path& path) const;
+    std::filesystem::path trueLocation(const std::filesystem::path& path, std::error_code& error) const;
 
     const LoadOptions& options_;
     Diagnostics& diagnostics_;
     std::optional<Archive> archive_;
     std::unordered_map<std::string, std::vector<std::string>> listed_;
+    mutable std::unordered_map<std::string, std::filesystem::path> folders_;  // where they truly are
     std::optional<std::filesystem::path>
         root_;  // canonical; none: a document in memory, with no files around it
 };

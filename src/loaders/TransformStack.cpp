@@ -47,6 +47,14 @@ glm::dvec3 unit(const glm::dvec3& v) {
     return largest > 0.0 ? glm::normalize(v / largest) : glm::dvec3(0.0);
 }
 
+}  // namespace
+
+glm::dvec3 unitAxis(const double* values) {
+    return unit(vec3Of(values));
+}
+
+namespace {
+
 // A row of the file is a row of the matrix; GLM counts columns first. What a file writes into the last row is
 // noise.
 glm::dmat4 rowMajorMatrix(const double* v) {
@@ -54,7 +62,7 @@ glm::dmat4 rowMajorMatrix(const double* v) {
 }
 
 glm::dmat4 rotation(const double* v) {
-    const glm::dvec3 axis = unit(vec3Of(v));
+    const glm::dvec3 axis = unitAxis(v);
     return isZero(axis) ? glm::dmat4(1.0) : glm::rotate(glm::dmat4(1.0), glm::radians(v[3]), axis);
 }
 

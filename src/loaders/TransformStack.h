@@ -36,6 +36,9 @@ struct TransformStack {
 // Reads them all. Missing numbers are those of an element that does nothing, and reported.
 TransformStack readTransformStack(XmlNode node, Diagnostics& diagnostics);
 
+// The direction of a <rotate>'s axis: of unit length, or zero where it has none.
+glm::dvec3 unitAxis(const double* values);
+
 // The matrix of each kind. All are affine: their last row is 0 0 0 1.
 glm::dmat4 matrixOf(TransformElement::Kind kind, const double* values);
 

@@ -59,7 +59,12 @@ const NumberText* cutText(const tinyxml2::XMLElement* element) {
 }  // namespace
 
 std::string_view XmlNode::name() const {
-    return element_ ? localName(element_->Name()) : std::string_view();
+    if (!element_) return {};
+    return document_->hasPrefixes() ? localName(element_->Name()) : element_->Name();
+}
+
+bool XmlNode::is(std::string_view elementName) const {
+    return element_ && name() == elementName;
 }
 
 bool XmlNode::has(const char* attributeName) const {

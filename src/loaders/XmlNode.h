@@ -27,7 +27,7 @@ public:
     bool operator==(const XmlNode& other) const { return element_ == other.element_; }
 
     std::string_view name() const;  // without a namespace prefix
-    bool is(std::string_view elementName) const { return element_ && name() == elementName; }
+    bool is(std::string_view elementName) const;
     bool has(const char* attributeName) const;
     std::string_view attribute(const char* attributeName) const;  // empty where it is missing
     std::string_view id() const { return attribute("id"); }
