@@ -26,7 +26,8 @@ struct Backdrop {
     std::optional<Grid> grid;
 
     std::string defines() const { return grid ? "#define GRID\n" : ""; }  // for backdrop.glsl
-    void load(const ShaderProgram& program) const;                        // which must be started
+    void load(const ShaderProgram& program, int width,
+              int height) const;  // which must be started; of the picture
 };
 
 }  // namespace walkcycle
