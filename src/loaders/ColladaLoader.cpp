@@ -110,7 +110,7 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     loadLights(scene, context, model, targets);
     targets.materials = materials.elements();
     model.skeleton.joints = scene.skeleton.joints;
-    model.nodeVisible.assign(model.skeleton.joints.size(), true);
+    loadVisibility(scene, context, model);
     for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;
     loadAnimations(collada, scene, targets, context, model);
     if (context.options.inspector) context.options.inspector({collada, scene, model, context});

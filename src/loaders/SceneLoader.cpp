@@ -161,4 +161,13 @@ void loadLights(const SceneGraph& scene, const LoadContext& context, Model& mode
     }
 }
 
+void loadVisibility(const SceneGraph& scene, const LoadContext& context, Model& model) {
+    model.nodeVisible.assign(scene.nodes.size(), true);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+        for (XmlNode extra : scene.nodes[i].children("extra"))
+            for (XmlNode technique : extra.children("technique"))
+                if (number(technique.child("visibility"), context).value_or(1.0) == 0.0)
+                    model.nodeVisible[i] = false;
+}
+
 }  // namespace walkcycle

@@ -16,4 +16,8 @@ void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& mod
                  AnimationTargets& targets);
 void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets);
 
+// Model::nodeVisible: all but the nodes that their <extra> hides, as FCollada's <visibility> does (Maya and 3ds Max).
+// What hangs below a hidden node is not shown either.
+void loadVisibility(const SceneGraph& scene, const LoadContext& context, Model& model);
+
 }  // namespace walkcycle

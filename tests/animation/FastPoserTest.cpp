@@ -38,9 +38,9 @@ public:
 
     JointTransform transform() {
         const glm::quat turn(1.2f, number(-1, 1), number(-1, 1), number(-1, 1));
-        return {.position = {number(-1, 1), number(-1, 1), number(-1, 1)},
+        return {.position = {number(-0.5f, 0.5f), number(-0.5f, 0.5f), number(-0.5f, 0.5f)},
                 .rotation = glm::normalize(turn),
-                .scale = {number(0.9f, 1.1f), number(0.9f, 1.1f), number(0.9f, 1.1f)}};
+                .scale = {number(0.95f, 1.05f), number(0.95f, 1.05f), number(0.95f, 1.05f)}};
     }
 
     Channel channel(int joint, const std::vector<double>& times) {

@@ -148,6 +148,17 @@ TEST(ParameterFinderTest, visibilityBlinks) {
     EXPECT_THAT(parametersAt(model, 1.1), ElementsAre(0.0f));
 }
 
+TEST(ParameterFinderTest, whatIsHiddenAtFirstMayAppear) {
+    AnimationText appear{"box/visibility", "1 2", "0 1"};
+    appear.interpolations = "STEP";
+    const Model model =
+        loadText(boxWith("<extra><technique profile='FCOLLADA'><visibility sid='visibility'>0</visibility>"
+                         "</technique></extra>",
+                         animations(appear.text())));
+    EXPECT_THAT(model.restParameters(), ElementsAre(0.0f));
+    EXPECT_THAT(parametersAt(model, 2.0), ElementsAre(1.0f));
+}
+
 const std::string kCameraAndLamp =
     "<library_cameras><camera id='cam' name='c'><optics sid='o'><technique_common><perspective><xfov "
     "sid='fov'>40</xfov><znear>0.1</znear><zfar>10</zfar></perspective></technique_common></optics></camera>"

@@ -235,5 +235,22 @@ TEST(SceneLoaderTest, aLightsColourMayHaveAnAlpha) {
     EXPECT_EQ(model.lights.at(0).color, glm::vec3(1.0f, 0.5f, 0.0f));
 }
 
+std::string nodeWithVisibility(const std::string& value) {
+    return "<node><extra><technique profile='FCOLLADA'><visibility>" + value +
+           "</visibility></technique></extra></node>\n";
+}
+
+TEST(SceneLoaderTest, aNodeMayBeHidden) {
+    const Model model = loadText(collada(scene("<node/>" + nodeWithVisibility("0.000000") +
+                                               nodeWithVisibility("1") + nodeWithVisibility("0"))));
+    EXPECT_THAT(model.nodeVisible, ElementsAre(true, false, true, false));
+}
+
+TEST(SceneLoaderTest, aVisibilityThatIsNoNumberIsToldAndTheNodeShown) {
+    const Model model = loadText(collada(scene("<node/>\n" + nodeWithVisibility("hidden"))));
+    EXPECT_THAT(model.nodeVisible, ElementsAre(true, true));
+    EXPECT_THAT(codes(model.diagnostics), ElementsAre("WC0210"));
+}
+
 }  // namespace
 }  // namespace walkcycle
