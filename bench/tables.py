@@ -161,8 +161,12 @@ def skin_table():
 def draw_table(file):
     heading(f"Drawing, milliseconds a frame ({os.path.basename(file)})")
     row("", "best", "median", "median of clock")
-    for name, found in benchmark("draw", file, repetitions=5).items():
+    rows = {name.replace("/process_time", ""): found for name, found in benchmark("draw", file, repetitions=5).items()}
+    for name, found in rows.items():
         row(name, f"{found.best / 1e6:.2f}", f"{found.median / 1e6:.2f}", f"{found.real_median / 1e6:.2f}")
+    for ours, theirs, most in (("frame/studio", "frame/bare", 1.15), ("walkers/crowd/100", "walkers/oneByOne/100", 0.75)):
+        if ours in rows and theirs in rows:
+            goal(f"{ours} / {theirs}", rows[ours].median / rows[theirs].median, at_most=most)
 
 
 def picture_table(file):
