@@ -26,8 +26,7 @@ struct Backdrop {
     std::optional<Grid> grid;
 
     std::string defines() const { return grid ? "#define GRID\n" : ""; }  // for backdrop.glsl
-    void load(const ShaderProgram& program, int width,
-              int height) const;  // which must be started; of the picture
+    void load(const ShaderProgram& program) const;                        // which must be started
 };
 
 }  // namespace walkcycle

@@ -61,7 +61,7 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
     auto& program = ground ? withGrid_ : plain_;
     if (!program) program.emplace(backdrop);
     program->program.start();
-    backdrop.load(program->program, target.width, target.height);
+    backdrop.load(program->program);
     program->noInputs.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

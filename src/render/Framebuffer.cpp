@@ -151,7 +151,7 @@ void Framebuffer::resolve() const {
     const ShaderProgram& program = resolver_->program(samples_);
     program.start();
     program.setSampler("samples", 0);
-    if (resolver_->underlay) resolver_->underlay->load(program, width(), height());
+    if (resolver_->underlay) resolver_->underlay->load(program);
     resolver_->noInputs.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -1,12 +1,12 @@
 // A soft gradient, and on the ground, the plane y = 0, a grid: thin lines at every step, stronger ones at every tenth,
 // fading towards the edge and where they would crowd.
-uniform vec2 pixelSize;  // in a picture that is one wide and one high
+in float height;
 uniform vec3 top;  // as the target takes it: linear light, or sRGB where it does not turn one into the other
 uniform vec3 bottom;
 
 #ifdef GRID
-uniform vec3 nearest[3];   // where lines of sight begin, in model space: in the middle of the picture, how much further
-uniform vec3 farthest[3];  // to the right at its right edge, and further up at its top; where they end
+in vec3 nearest;  // where this pixel's line of sight begins and ends, in model space
+in vec3 farthest;
 uniform vec3 center;
 uniform float radius;
 uniform float spacing;
@@ -19,11 +19,9 @@ float lines(vec2 cells, vec2 width) {
 }
 
 float grid() {
-    vec2 from = gl_FragCoord.xy * pixelSize * 2.0 - 1.0;
-    vec3 start = nearest[0] + nearest[1] * from.x + nearest[2] * from.y;
-    vec3 sight = farthest[0] + farthest[1] * from.x + farthest[2] * from.y - start;
-    float along = -start.y / (abs(sight.y) > 1e-30 ? sight.y : 1e-30);
-    vec2 ground = start.xz + sight.xz * along;
+    vec3 sight = farthest - nearest;
+    float along = -nearest.y / (abs(sight.y) > 1e-30 ? sight.y : 1e-30);
+    vec2 ground = nearest.xz + sight.xz * along;
     vec2 width = fwidth(ground) / spacing;
     float away = length(ground - center.xz) / radius;
     if (!(along > 0.0 && away < 1.0)) return 0.0;
@@ -33,7 +31,7 @@ float grid() {
 #endif
 
 vec3 backdrop() {
-    vec3 color = mix(bottom, top, gl_FragCoord.y * pixelSize.y);
+    vec3 color = mix(bottom, top, height);
 #ifdef GRID
     color = mix(color, lineColor.rgb, lineColor.a * grid());
 #endif
