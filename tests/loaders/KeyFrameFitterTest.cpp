@@ -61,6 +61,25 @@ TEST(KeyFrameFitterTest, mixedEulerAnglesStayWithinTheTolerance) {
     EXPECT_LT(keyCount(model), 60u) << "as many as 30 Hz";
 }
 
+// One angle on straight lines is known to turn evenly, unless it swings something around, or there are two of them.
+TEST(KeyFrameFitterTest, anAngleBetweenShiftsAndScalesStaysWithinTheTolerance) {
+    const std::string shift = "<translate sid='t'>1 2 3</translate>";
+    const std::string scale = "<scale sid='s'>1 2 3</scale>";
+    const std::string angle =
+        AnimationText{.target = "box/r.ANGLE", .times = "0 1 3", .values = "0 170 -40"}.text();
+    const std::string shifts =
+        AnimationText{.target = "box/t.X", .times = "0 2 3", .values = "0 4 1", .id = "shift"}.text();
+    const std::string scales =
+        AnimationText{.target = "box/s.Y", .times = "0 2 3", .values = "1 3 -2", .id = "scale"}.text();
+    for (const std::string& stack :
+         {shift + kTurn, shift + kTurn + scale, kTurn + shift + scale, shift + scale + kTurn})
+        for (const std::string& body : {angle, angle + shifts, angle + scales, angle + shifts + scales}) {
+            const Model model = boxMoved(stack, body);
+            EXPECT_LT(largestError(model), 3 * kAllowed) << stack << body;
+        }
+    EXPECT_EQ(keyCount(boxMoved(shift + kTurn, angle)), 8u);  // no piece turns more than 60 degrees
+}
+
 TEST(KeyFrameFitterTest, smoothCurvesTakeFewerKeysThanThirtyAFrameRate) {
     AnimationText swing{"box/r.ANGLE", "0 1 2 3 4", "0 40 0 -40 0"};
     swing.interpolations = "BEZIER";
