@@ -1,5 +1,6 @@
 #include "io/Image.h"
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cstdlib>
@@ -11,7 +12,6 @@
 
 #include "io/ImageSize.h"
 #include "io/Jpeg.h"
-#include "io/Png.h"
 
 namespace {
 
@@ -116,6 +116,15 @@ Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
     return image;
 }
 
+// With its last chunk in place, which one that was cut short has not.
+bool isWholePng(ByteSpan bytes) {
+    constexpr std::array<std::uint8_t, 8> start{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    constexpr std::array<std::uint8_t, 12> end{0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
+    return bytes.size() > start.size() + end.size() &&
+           std::equal(start.begin(), start.end(), bytes.begin()) &&
+           std::equal(end.begin(), end.end(), bytes.end() - end.size());
+}
+
 }  // namespace
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
@@ -123,13 +132,17 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits
     if (bytes.size() > INT_MAX) throw ImageError("the picture is over 2 GB");
     if (isWebp(bytes)) return decodeWebp(bytes, limits);
     if (looksLikeJpeg(bytes)) return decodeJpeg(bytes, limits);
-    std::optional<Image> png = decodePlainPng(bytes, limits);
-    return png ? std::move(*png) : decodeWithStb(bytes, limits);
+    return decodeWithStb(bytes, limits);
 }
 
 Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits) {
-    std::optional<Image> png = measurePlainPng(bytes, limits);
-    return png ? std::move(*png) : decodeImage(bytes, limits);
+    int width = 0, height = 0, components = 0;
+    largestBlock = kBlockMargin;
+    if (!isWholePng(bytes) || bytes.size() > INT_MAX ||
+        !stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &components))
+        return decodeImage(bytes, limits);
+    checkSize(width, height, bytes.size(), limits);
+    return Image{.width = width, .height = height, .hasAlpha = components % 2 == 0, .rgba = {}};
 }
 
 }  // namespace walkcycle

@@ -63,6 +63,8 @@ WALKCYCLE_INLINE NormalTurn normalTurnOf(Float4 x, Float4 y, Float4 z) {
     return {negated(crossZxy(y, z), sign), negated(crossZxy(z, x), sign), negated(xy, sign)};
 }
 
+// The sum of all influences of one position. Adding up matrices first costs a position what adding up moved positions
+// would, and serves the normals too.
 WALKCYCLE_INLINE Columns blend(const Influence* first, const Influence* last, const glm::mat4* palette) {
     Columns sum{};
     for (; first != last; ++first) {
