@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Each, SkinningWays,
                          testing::Values(SkinningWay::Auto, SkinningWay::Baseline, SkinningWay::Avx2));
 
 TEST_P(SkinningWays, positionsAreMovedByTheSumOfTheirMatrices) {
-    for (const std::size_t count : {0, 1, 2, 5, 300}) {
+    for (const std::size_t count : {0u, 1u, 2u, 5u, 300u}) {
         const Cloud cloud(count);
         std::vector<glm::vec3> skinned(count);
         skinPositions(cloud.influences, cloud.palette, cloud.positions, skinned, nullptr, GetParam());
