@@ -98,7 +98,7 @@ void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
     const double within = std::clamp(seconds, times.front(), times.back());
     const std::size_t at = rowAt(within);
     const Shares shares(static_cast<float>((within - times[at]) * rates[at]));
-    const Float4* row = &numbers[at * width];
+    const Float4* row = numbers.data() + at * width;
     const Float4* next = row + width;
     for (const Group& group : groups) {
         Turn rotation = group.rotation;
@@ -130,7 +130,7 @@ void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
 void ClipTimeline::prefetch(double seconds) const {
     constexpr std::size_t kCacheLine = 64;
     const auto* row = reinterpret_cast<const char*>(
-        &numbers[rowAt(std::clamp(seconds, times.front(), times.back())) * width]);
+        numbers.data() + rowAt(std::clamp(seconds, times.front(), times.back())) * width);
     for (std::size_t at = 0; at < 2 * width * sizeof(Float4); at += kCacheLine) __builtin_prefetch(row + at);
 }
 

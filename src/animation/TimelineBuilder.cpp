@@ -154,7 +154,7 @@ private:
     }
 
     void fill(std::size_t row) {
-        Float4* numbers = &timeline_.numbers[row * timeline_.width];
+        Float4* numbers = timeline_.numbers.data() + row * timeline_.width;
         for (std::size_t g = 0; g < timeline_.groups.size(); ++g)
             for (std::size_t i = 0; i < kLanes; ++i) {
                 const ExactChannel& channel = members_[g * kLanes + i]->channel;
