@@ -18,17 +18,28 @@ bool isSpace(char c) {
     return isNumberSpace(c);
 }
 
-// A number too small to be told from zero is zero; one too large is a fault. from_chars reports both alike.
+// What stands behind the 'e' of a number; about as much as a 64-bit number holds where it is larger.
+std::int64_t exponentOf(std::string_view digits) {
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    std::int64_t exponent = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    constexpr std::int64_t kHuge = std::int64_t{1} << 62;
+    if (error == std::errc::result_out_of_range) return digits.starts_with('-') ? -kHuge : kHuge;
+    return std::clamp(exponent, -kHuge, kHuge);
+}
+
+// A number too small to be told from zero is zero; one too large is a fault. from_chars reports both alike, so the power
+// of ten of the first digit that is not zero decides.
 template <typename T>
 bool roundsToZero(const char* first, const char* last, T& value) {
     const std::string_view token(first, static_cast<std::size_t>(last - first));
-    const std::size_t exponent = token.find_first_of("eE");
-    const bool smallExponent =
-        exponent != std::string_view::npos && exponent + 1 < token.size() && token[exponent + 1] == '-';
-    const bool fraction =
-        exponent == std::string_view::npos && token.find_first_of("123456789") > token.find('.');
+    const std::size_t e = token.find_first_of("eE");
+    const std::string_view digits = token.substr(0, e);
+    const std::size_t point = std::min(digits.find('.'), digits.size());
+    const std::size_t digit = digits.find_first_of("123456789");
+    const auto power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(digit);
     value = T{};
-    return smallExponent || fraction;
+    return power + (e == std::string_view::npos ? 0 : exponentOf(token.substr(e + 1))) < 0;
 }
 
 template <typename T>

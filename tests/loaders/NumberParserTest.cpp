@@ -52,6 +52,15 @@ TEST(NumberParserTest, everySpellingThatXmlSchemaAllowsIsRead) {
 TEST(NumberParserTest, whatIsTooSmallForTheTypeIsZero) {
     EXPECT_THAT(numbers<float>("1e-60 -1e-400"), ElementsAre(0.0f, 0.0f));
     EXPECT_THAT(numbers<double>("1e-400 0." + std::string(400, '0') + "1"), ElementsAre(0.0, 0.0));
+    EXPECT_THAT(numbers<double>("0." + std::string(400, '0') + "1e+9 1e-99999999999999999999"),
+                ElementsAre(0.0, 0.0));
+}
+
+// Too large is not too small, whichever way its exponent points.
+TEST(NumberParserTest, manyDigitsBeforeASmallExponentAreAFault) {
+    EXPECT_FALSE(isNumber(std::string(320, '6') + "e-4"));
+    EXPECT_FALSE(isNumber("1e99999999999999999999"));
+    EXPECT_TRUE(isNumber(std::string(320, '6') + "e-319"));
 }
 
 TEST(NumberParserTest, whatIsNotWhollyANumberIsAFault) {
