@@ -1,0 +1,46 @@
+#include "app/LargePages.h"
+
+#ifdef __linux__
+#include <cstdint>
+#include <cstdlib>
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+namespace walkcycle {
+
+#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+namespace {
+
+constexpr int kMegabyte = 1 << 20;
+constexpr int kHeapStep = 64 * kMegabyte;  // of addresses: memory comes when it is touched
+constexpr std::uintptr_t kLargePage = 2 * kMegabyte;
+
+std::uintptr_t heapEnd() {
+    return reinterpret_cast<std::uintptr_t>(sbrk(0));
+}
+
+}  // namespace
+
+void useLargePages() {
+    mallopt(M_MMAP_THRESHOLD,
+            32 * kMegabyte);  // the most that glibc takes; larger blocks get pages of their own
+    mallopt(M_TRIM_THRESHOLD, 2 * kHeapStep);
+    mallopt(M_TOP_PAD, kHeapStep);
+    mallopt(M_ARENA_MAX, 1);  // the thread that loads gets the same heap
+    const std::uintptr_t start = (heapEnd() + kLargePage - 1) / kLargePage * kLargePage;
+    void* volatile block = std::malloc(kMegabyte);  // makes the heap grow; volatile, or it is left out
+    std::free(block);
+    const std::uintptr_t end = heapEnd() / kLargePage * kLargePage;
+    if (end > start) madvise(reinterpret_cast<void*>(start), end - start, MADV_HUGEPAGE);
+}
+
+#else
+
+void useLargePages() {}
+
+#endif
+
+}  // namespace walkcycle
