@@ -2,15 +2,19 @@
 
 namespace walkcycle {
 
+std::string Backdrop::defines() const {
+    return std::string(grid ? "#define GRID\n" : "") + (color ? "#define ONE_COLOR\n" : "") +
+           (encodesItself ? "#define ENCODES_ITSELF\n" : "");
+}
+
 void Backdrop::load(const ShaderProgram& program) const {
-    setUniform(program.uniform("top"), top);
-    setUniform(program.uniform("bottom"), bottom);
+    if (color)
+        setUniform(program.uniform("color"), *color);
+    else
+        setUniform(program.uniform("pictureHeight"), pictureHeight);
     if (!grid) return;
-    setUniform(program.uniform("fromPicture"), grid->fromPicture);
-    setUniform(program.uniform("center"), grid->center);
-    setUniform(program.uniform("radius"), grid->radius);
-    setUniform(program.uniform("spacing"), grid->spacing);
-    setUniform(program.uniform("lineColor"), grid->lineColor);
+    setUniform(program.uniform("groundAt"), grid->groundAt);
+    setUniform(program.uniform("fading"), grid->fading);
 }
 
 }  // namespace walkcycle

@@ -3,30 +3,31 @@
 #include <optional>
 #include <string>
 
-#include <glm/mat4x4.hpp>
+#include <glm/mat3x4.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include "render/ShaderProgram.h"
 
 namespace walkcycle {
 
 // What a picture shows where no model covers it: a soft gradient, or one colour, and on the ground, the plane y = 0, a
-// grid. Colours are light, or sRGB where the target does not turn light into it.
+// grid.
 struct Backdrop {
     struct Grid {
-        glm::mat4 fromPicture{1.0f};  // the inverse of the camera's viewProjection
-        glm::vec3 center{0.0f};
-        float radius = 1.0f;  // where it has faded out
-        float spacing = 1.0f;
-        glm::vec4 lineColor{0.0f};  // alpha: how strong the strongest line is
+        // Times a place in the picture (x, y, 1), both from -1 to 1: where on the ground it shows, in steps of the grid
+        // (x, z) and homogeneous; the third number is over 0 where that is before the camera, the fourth where it is
+        // beyond the nearest that it sees.
+        glm::mat3x4 groundAt{0.0f};
+        glm::vec3 fading{0.0f, 0.0f, 1.0f};  // around which place (x, z), and where it has gone; in steps
     };
 
-    glm::vec3 top{0.0f}, bottom{0.0f};
+    bool encodesItself = false;      // the target takes sRGB, and does not turn light into it
+    float pictureHeight = 1.0f;      // in pixels
+    std::optional<glm::vec3> color;  // as the target takes it; none: the gradient
     std::optional<Grid> grid;
 
-    std::string defines() const { return grid ? "#define GRID\n" : ""; }  // for backdrop.glsl
-    void load(const ShaderProgram& program) const;                        // which must be started
+    std::string defines() const;                    // for backdrop.glsl
+    void load(const ShaderProgram& program) const;  // which must be started
 };
 
 }  // namespace walkcycle

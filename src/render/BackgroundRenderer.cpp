@@ -10,10 +10,6 @@
 namespace walkcycle {
 namespace {
 
-constexpr glm::vec3 kTop{0.60f, 0.63f, 0.67f}, kBottom{0.80f, 0.80f, 0.79f};  // sRGB
-constexpr glm::vec3 kLine{0.35f, 0.35f, 0.36f};
-constexpr float kLineStrength = 0.55f;
-
 void clear(const glm::vec4& color) {
     glDepthMask(GL_TRUE);
     glClearDepth(1.0);
@@ -25,22 +21,38 @@ glm::vec3 asTaken(const glm::vec3& srgb, bool encodesItself) {
     return encodesItself ? srgb : linearOfSrgb(srgb);
 }
 
-Backdrop::Grid gridOf(const BackgroundRenderer::Ground& ground, bool encodesItself) {
+// A point of the picture and of depth d is A + d * B in model space, homogeneous, where A depends on the point and B does
+// not. The ground is where that has no height.
+glm::mat3x4 groundAt(const Camera& camera, double step) {
+    const glm::dmat4 fromPicture = glm::inverse(glm::dmat4(camera.viewProjection()));
+    const glm::dvec4 b = fromPicture[2];
+    const double sign = b.y < 0.0 ? -1.0 : 1.0;
+    const auto column = [&](const glm::dvec4& a) {
+        const glm::dvec4 met = (a * b.y - b * a.y) * sign;
+        return glm::vec4(met.x / step, met.z / step, met.w, -a.y * sign);
+    };
+    glm::mat3x4 columns(column(fromPicture[0]), column(fromPicture[1]), column(fromPicture[3]));
+    columns[2].w += static_cast<float>(b.y * sign);  // depth -1 is where the picture begins
+    return columns;
+}
+
+Backdrop::Grid gridOf(const BackgroundRenderer::Ground& ground) {
     const float size = std::max(ground.bounds.diagonal() * 0.5f, 1e-6f);
-    return {.fromPicture = glm::inverse(ground.camera.viewProjection()),
-            .center = ground.bounds.empty() ? glm::vec3(0.0f) : ground.bounds.center(),
-            .radius = size * 4.0f,
-            .spacing = std::pow(10.0f, std::round(std::log10(size)) - 1.0f),
-            .lineColor = glm::vec4(asTaken(kLine, encodesItself), kLineStrength)};
+    const float step = std::pow(10.0f, std::round(std::log10(size)) - 1.0f);
+    const glm::vec3 center = ground.bounds.empty() ? glm::vec3(0.0f) : ground.bounds.center();
+    return {.groundAt = groundAt(ground.camera, step),
+            .fading = glm::vec3(center.x, center.z, size * 4.0f) / step};
 }
 
 Backdrop backdropOf(const RenderOptions& options, bool encodesItself,
-                    const BackgroundRenderer::Ground* ground) {
-    const bool gradient = options.background == Background::Gradient;
-    Backdrop backdrop{.top = asTaken(gradient ? kTop : options.backgroundColor, encodesItself),
-                      .bottom = asTaken(gradient ? kBottom : options.backgroundColor, encodesItself),
+                    const BackgroundRenderer::Ground* ground, const RenderTarget& target) {
+    Backdrop backdrop{.encodesItself = encodesItself,
+                      .pictureHeight = static_cast<float>(target.height),
+                      .color = {},
                       .grid = {}};
-    if (ground) backdrop.grid = gridOf(*ground, encodesItself);
+    if (options.background == Background::Color)
+        backdrop.color = asTaken(options.backgroundColor, encodesItself);
+    if (ground) backdrop.grid = gridOf(*ground);
     return backdrop;
 }
 
@@ -53,16 +65,16 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
     if (target.underlay) target.underlay->reset();
     clear(plainColor ? glm::vec4(asTaken(options.backgroundColor, encodesItself), 1.0f) : glm::vec4(0.0f));
     if (empty) return;
-    const Backdrop backdrop = backdropOf(options, encodesItself, ground);
+    const Backdrop backdrop = backdropOf(options, encodesItself, ground, target);
     if (target.underlay) {
         *target.underlay = backdrop;
         return;
     }
-    auto& program = ground ? withGrid_ : plain_;
-    if (!program) program.emplace(backdrop);
-    program->program.start();
-    backdrop.load(program->program);
-    program->noInputs.bind();
+    const std::string defines = backdrop.defines();
+    const Program& found = programs_.try_emplace(defines, defines).first->second;
+    found.program.start();
+    backdrop.load(found.program);
+    found.noInputs.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLES, 0, 3);

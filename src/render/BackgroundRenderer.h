@@ -1,6 +1,7 @@
 #pragma once
 
-#include <optional>
+#include <map>
+#include <string>
 
 #include "model/CpuSkinning.h"
 #include "render/Camera.h"
@@ -26,13 +27,13 @@ public:
 
 private:
     struct Program {
-        explicit Program(const Backdrop& backdrop)
-            : program({{"backgroundVertex"}, {"backdrop", "backgroundFragment"}}, backdrop.defines()) {}
+        explicit Program(const std::string& defines)
+            : program({{"backgroundVertex"}, {"backdrop", "backgroundFragment"}}, defines) {}
 
         ShaderProgram program;
         Vao noInputs;
     };
-    std::optional<Program> plain_, withGrid_;  // made when first needed
+    std::map<std::string, Program> programs_;  // of each backdrop's defines, made when first needed
 };
 
 }  // namespace walkcycle

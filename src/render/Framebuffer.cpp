@@ -93,16 +93,15 @@ Framebuffer::Resolver::Resolver(int width, int height)
 }
 
 const ShaderProgram& Framebuffer::Resolver::program(int samples) {
-    const std::string defines = "#define SAMPLES " + std::to_string(samples) + "\n";
-    if (!underlay) {
-        if (!plain) plain.emplace(ShaderProgram({{"backgroundVertex"}, {"resolveFragment"}}, defines));
-        return *plain;
-    }
-    std::optional<ShaderProgram>& found = underlay->grid ? withGrid : withBackdrop;
-    if (!found)
-        found.emplace(ShaderProgram({{"backgroundVertex"}, {"backdrop", "resolveFragment"}},
-                                    defines + underlay->defines() + "#define BACKDROP\n"));
-    return *found;
+    std::string defines = "#define SAMPLES " + std::to_string(samples) + "\n";
+    if (underlay) defines += underlay->defines() + "#define BACKDROP\n";
+    const auto found = programs.find(defines);
+    if (found != programs.end()) return found->second;
+    const auto make = [&](const ShaderProgram::Stages& stages) -> const ShaderProgram& {
+        return programs.try_emplace(defines, stages, defines).first->second;
+    };
+    return underlay ? make({{"backgroundVertex"}, {"backdrop", "resolveFragment"}})
+                    : make({{"backgroundVertex"}, {"resolveFragment"}});
 }
 
 Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newFramebuffer()) {

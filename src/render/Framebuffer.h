@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "io/Image.h"
 #include "render/GlObject.h"
@@ -48,7 +50,7 @@ private:
         Renderbuffer color;
         Vao noInputs;
         std::optional<Backdrop> underlay;
-        std::optional<ShaderProgram> plain, withBackdrop, withGrid;  // made when first needed
+        std::map<std::string, ShaderProgram> programs;  // of their defines, made when first needed
     };
 
     GlObject<gl::deleteFramebuffer> framebuffer_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include <glm/mat3x4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -47,6 +48,7 @@ void setUniform(GLint location, float value);
 void setUniform(GLint location, const glm::vec2& value);
 void setUniform(GLint location, const glm::vec3& value);
 void setUniform(GLint location, const glm::vec4& value);
+void setUniform(GLint location, const glm::mat3x4& value);
 void setUniform(GLint location, const glm::mat4& value);
 
 }  // namespace walkcycle

@@ -1,16 +1,27 @@
-// A soft gradient, and on the ground, the plane y = 0, a grid: thin lines at every step, stronger ones at every tenth,
-// fading towards the edge and where they would crowd.
-in float height;
-uniform vec3 top;  // as the target takes it: linear light, or sRGB where it does not turn one into the other
-uniform vec3 bottom;
+// A soft gradient or one colour, and on the ground, the plane y = 0, a grid: thin lines at every step, stronger ones at
+// every tenth, fading towards the edge and where they would crowd. What never changes stands here: each number of a
+// uniform costs software OpenGL a millisecond of compiling.
+const vec3 TOP = vec3(0.60, 0.63, 0.67), BOTTOM = vec3(0.80, 0.80, 0.79), LINE = vec3(0.35, 0.35, 0.36);  // sRGB
+const float LINE_STRENGTH = 0.55;
+
+// As the target takes colours: as light, or sRGB where it does not turn one into the other.
+#ifdef ENCODES_ITSELF
+vec3 taken(vec3 color) { return color; }
+#else
+vec3 taken(vec3 color) { return pow((color + 0.055) / 1.055, vec3(2.4)); }  // none is nearly black
+#endif
+
+#ifdef ONE_COLOR
+uniform vec3 color;
+vec3 behindAll() { return color; }
+#else
+uniform float pictureHeight;
+vec3 behindAll() { return mix(taken(BOTTOM), taken(TOP), gl_FragCoord.y / pictureHeight); }
+#endif
 
 #ifdef GRID
-in vec3 nearest;  // where this pixel's line of sight begins and ends, in model space
-in vec3 farthest;
-uniform vec3 center;
-uniform float radius;
-uniform float spacing;
-uniform vec4 lineColor;  // alpha: how strong the strongest line is
+in vec4 ground;       // where this pixel's line of sight meets it, in steps: xy / z; z and w are over 0 where it does
+uniform vec3 fading;  // around which place, xy, and where the grid has gone
 
 float lines(vec2 cells, vec2 width) {
     vec2 away = abs(fract(cells - 0.5) - 0.5) / max(width, vec2(1e-6));  // in pixels
@@ -19,21 +30,19 @@ float lines(vec2 cells, vec2 width) {
 }
 
 float grid() {
-    vec3 sight = farthest - nearest;
-    float along = -nearest.y / (abs(sight.y) > 1e-30 ? sight.y : 1e-30);
-    vec2 ground = nearest.xz + sight.xz * along;
-    vec2 width = fwidth(ground) / spacing;
-    float away = length(ground - center.xz) / radius;
-    if (!(along > 0.0 && away < 1.0)) return 0.0;
-    float strength = max(lines(ground / spacing, width) * 0.45, lines(ground / (spacing * 10.0), width / 10.0));
+    vec2 cells = ground.xy / (ground.z > 1e-30 ? ground.z : 1e-30);
+    vec2 width = fwidth(cells);
+    float away = length(cells - fading.xy) / fading.z;
+    if (!(min(ground.z, ground.w) > 0.0 && away < 1.0)) return 0.0;
+    float strength = max(lines(cells, width) * 0.45, lines(cells / 10.0, width / 10.0));
     return strength * (1.0 - smoothstep(0.25, 1.0, away));
 }
 #endif
 
 vec3 backdrop() {
-    vec3 color = mix(bottom, top, height);
 #ifdef GRID
-    color = mix(color, lineColor.rgb, lineColor.a * grid());
+    return mix(behindAll(), taken(LINE), LINE_STRENGTH * grid());
+#else
+    return behindAll();
 #endif
-    return color;
 }
