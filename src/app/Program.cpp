@@ -102,7 +102,9 @@ int run(std::vector<std::string> arguments) {
     app.set_version_flag("--version", versionText);
     app.require_subcommand(1);
     int exitCode = kFine;
+    const bool forHelp = !isVerb(commands, arguments.front());  // which is about all of them
     for (const Command& command : commands) {
+        if (!forHelp && command.name != arguments.front()) continue;
         CLI::App* verb = app.add_subcommand(command.name, command.summary);
         Arguments options(*verb);
         command.declare(options);
