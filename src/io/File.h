@@ -4,11 +4,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "io/Bytes.h"
 
 namespace walkcycle {
-
-using Bytes = std::vector<std::uint8_t>;
 
 // A file that cannot be read or written: the message is one sentence with the path and the system's reason.
 struct FileError : std::runtime_error {

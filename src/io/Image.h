@@ -4,7 +4,8 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "io/Bytes.h"
 
 namespace walkcycle {
 
@@ -14,7 +15,7 @@ struct Image {
     int width = 0;
     int height = 0;
     bool hasAlpha = false;  // the file had an alpha channel
-    std::vector<std::uint8_t> rgba;
+    Bytes rgba;
 };
 
 // How large a picture may be before decodeImage refuses it, so that a few bytes cannot cost gigabytes.
@@ -40,7 +41,7 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits
 // The same for who needs no pixels: where a file's kind tells its size apart from them, they are not decoded.
 Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
-std::vector<std::uint8_t> encodePng(const Image& image);
-std::vector<std::uint8_t> encodeWebp(const Image& image);  // lossless
+Bytes encodePng(const Image& image);
+Bytes encodeWebp(const Image& image);  // lossless
 
 }  // namespace walkcycle

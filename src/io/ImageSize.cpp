@@ -31,7 +31,7 @@ void checkSize(std::int64_t width, std::int64_t height, std::size_t bytes, const
 
 Image emptyImage(int width, int height, bool hasAlpha) {
     Image image{.width = width, .height = height, .hasAlpha = hasAlpha, .rgba = {}};
-    image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4, 0);
     return image;
 }
 

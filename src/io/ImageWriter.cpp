@@ -12,8 +12,6 @@
 namespace walkcycle {
 namespace {
 
-using Out = std::vector<std::uint8_t>;
-
 // Level 1 writes a picture of 640 x 480 in 3 ms, and takes the same bytes on every machine with the same libdeflate.
 constexpr int kDeflateLevel = 1;
 constexpr std::uint8_t kFilterUp = 2;  // each byte minus the one above: flat areas become zeros
@@ -25,11 +23,11 @@ void checkImage(const Image& image) {
         throw ImageError("there is no picture to write");
 }
 
-void putBigEndian(Out& out, std::uint32_t number) {
+void putBigEndian(Bytes& out, std::uint32_t number) {
     for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-void putChunk(Out& out, const char* type, std::span<const std::uint8_t> data) {
+void putChunk(Bytes& out, const char* type, std::span<const std::uint8_t> data) {
     putBigEndian(out, static_cast<std::uint32_t>(data.size()));
     const std::size_t start = out.size();
     out.insert(out.end(), type, type + 4);
@@ -37,8 +35,8 @@ void putChunk(Out& out, const char* type, std::span<const std::uint8_t> data) {
     putBigEndian(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
 }
 
-Out header(const Image& image, bool alpha) {
-    Out data;
+Bytes header(const Image& image, bool alpha) {
+    Bytes data;
     putBigEndian(data, static_cast<std::uint32_t>(image.width));
     putBigEndian(data, static_cast<std::uint32_t>(image.height));
     const std::array<std::uint8_t, 5> kind = {8, static_cast<std::uint8_t>(alpha ? 6 : 2), 0, 0, 0};
@@ -54,12 +52,12 @@ void filterRow(const std::uint8_t* row, const std::uint8_t* above, std::size_t w
         for (std::size_t c = 0; c < channels; ++c) to[c] = static_cast<std::uint8_t>(row[c] - above[c]);
 }
 
-Out filteredRows(const Image& image, bool alpha) {
+Bytes filteredRows(const Image& image, bool alpha) {
     const std::size_t width = static_cast<std::size_t>(image.width),
                       height = static_cast<std::size_t>(image.height);
     const std::size_t rowBytes = 1 + width * (alpha ? 4 : 3);
     const auto filter = alpha ? filterRow<4> : filterRow<3>;
-    Out rows(height * rowBytes);
+    Bytes rows(height * rowBytes);
     const std::vector<std::uint8_t> black(width * 4);
     const std::uint8_t* above = black.data();
     for (std::size_t y = 0; y < height; ++y) {
@@ -70,12 +68,12 @@ Out filteredRows(const Image& image, bool alpha) {
     return rows;
 }
 
-Out deflated(const Out& data) {
+Bytes deflated(const Bytes& data) {
     const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
         libdeflate_alloc_compressor(kDeflateLevel), libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
     const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), data.size());
-    Out packed(most);
+    Bytes packed(most);
     packed.resize(
         libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), packed.data(), packed.size()));
     return packed;
@@ -83,11 +81,11 @@ Out deflated(const Out& data) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encodePng(const Image& image) {
+Bytes encodePng(const Image& image) {
     checkImage(image);
-    const Out data = deflated(filteredRows(image, image.hasAlpha));
+    const Bytes data = deflated(filteredRows(image, image.hasAlpha));
     if (data.size() > INT_MAX) throw ImageError("the picture is too large for a PNG");
-    Out png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     putChunk(png, "IHDR", header(image, image.hasAlpha));
     const std::array<std::uint8_t, 1> perceptual = {0};
     putChunk(png, "sRGB", perceptual);
@@ -96,7 +94,7 @@ std::vector<std::uint8_t> encodePng(const Image& image) {
     return png;
 }
 
-std::vector<std::uint8_t> encodeWebp(const Image& image) {
+Bytes encodeWebp(const Image& image) {
     checkImage(image);
     if (image.width > WEBP_MAX_DIMENSION || image.height > WEBP_MAX_DIMENSION)
         throw ImageError("WebP holds at most " + std::to_string(WEBP_MAX_DIMENSION) +

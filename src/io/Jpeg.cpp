@@ -13,7 +13,7 @@ namespace {
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
 // Adobe's programs, which write CMYK files, store how much light is left: 255 is no ink.
-void cmykToRgba(std::vector<std::uint8_t>& pixels) {
+void cmykToRgba(Bytes& pixels) {
     for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
         for (std::size_t c = 0; c < 3; ++c)
             pixels[i + c] = static_cast<std::uint8_t>(pixels[i + c] * pixels[i + 3] / 255);

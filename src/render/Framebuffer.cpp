@@ -62,7 +62,7 @@ void requireComplete(int width, int height) {
 }
 
 // Drawn and blended colours are premultiplied with their alpha, in linear light; files want them straight.
-void unpremultiply(std::vector<std::uint8_t>& rgba) {
+void unpremultiply(Bytes& rgba) {
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
         const std::uint8_t alpha = rgba[i + 3];
         if (alpha == 255) continue;
@@ -74,7 +74,7 @@ void unpremultiply(std::vector<std::uint8_t>& rgba) {
 }
 
 // OpenGL's rows start at the bottom.
-void flipRows(std::vector<std::uint8_t>& rgba, std::size_t rowBytes) {
+void flipRows(Bytes& rgba, std::size_t rowBytes) {
     const std::size_t rows = rgba.size() / rowBytes;
     for (std::size_t y = 0; y < rows / 2; ++y) {
         const auto top = rgba.begin() + static_cast<std::ptrdiff_t>(y * rowBytes);

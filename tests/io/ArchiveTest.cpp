@@ -66,7 +66,7 @@ Bytes zipOf(const std::vector<Entry>& entries, std::uint32_t claimedSize = 0) {
         put(directory, 0x02014b50, 4);
         put(directory, 20, 2);
         directory.insert(directory.end(), common.begin(), common.end());
-        directory.resize(directory.size() + 10);  // no comment, no disk, no attributes
+        directory.resize(directory.size() + 10, 0);  // no comment, no disk, no attributes
         put(directory, offset, 4);
         put(directory, entry.name);
     }

@@ -34,7 +34,7 @@ TEST(BumpMapTest, aSurfaceThatRisesToTheRightLeansToTheLeft) {
 TEST(BumpMapTest, aFlatSurfaceFacesUs) {
     const Image flat{.width = 1, .height = 1, .hasAlpha = false, .rgba = {77, 77, 77, 255}};
 
-    EXPECT_EQ(normalsOfHeights(flat).rgba, (std::vector<std::uint8_t>{128, 128, 255, 255}));
+    EXPECT_EQ(normalsOfHeights(flat).rgba, (Bytes{128, 128, 255, 255}));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct PaintedText {
     std::string materials = "<material id='m'><instance_effect url='#e'/></material>";
     std::string symbol = "m";
 
-    static std::string hexOf(const std::vector<std::uint8_t>& rgba) {
+    static std::string hexOf(const Bytes& rgba) {
         const Image image{.width = 2, .height = 2, .hasAlpha = true, .rgba = rgba};
         std::string hex;
         for (const std::uint8_t byte : encodePng(image)) {

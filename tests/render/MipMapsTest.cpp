@@ -6,21 +6,21 @@
 namespace walkcycle {
 namespace {
 
-Image image(int width, int height, bool hasAlpha, std::vector<std::uint8_t> rgba) {
+Image image(int width, int height, bool hasAlpha, Bytes rgba) {
     return {.width = width, .height = height, .hasAlpha = hasAlpha, .rgba = std::move(rgba)};
 }
 
 TEST(MipMapsTest, blackAndWhiteAverageToHalfTheLight) {
     const Image checks =
         image(2, 2, false, {0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 255});
-    EXPECT_EQ(halved(checks, TexelKind::Color).rgba, (std::vector<std::uint8_t>{188, 188, 188, 255}));
+    EXPECT_EQ(halved(checks, TexelKind::Color).rgba, (Bytes{188, 188, 188, 255}));
     EXPECT_NEAR(halved(checks, TexelKind::Data).rgba[0], 128, 1);
 }
 
 TEST(MipMapsTest, everyGreyKeepsItsValue) {
     for (int grey = 0; grey < 256; ++grey) {
         const auto g = static_cast<std::uint8_t>(grey);
-        std::vector<std::uint8_t> rgba;
+        Bytes rgba;
         for (int i = 0; i < 4; ++i) rgba.insert(rgba.end(), {g, g, g, 255});
         EXPECT_EQ(halved(image(2, 2, false, rgba), TexelKind::Color).rgba[0], g);
         EXPECT_EQ(halved(image(4, 1, true, rgba), TexelKind::Color).rgba[0], g);
@@ -29,11 +29,11 @@ TEST(MipMapsTest, everyGreyKeepsItsValue) {
 
 TEST(MipMapsTest, clearTexelsDoNotBleedTheirColour) {
     const Image edge = image(2, 1, true, {200, 100, 50, 255, 0, 255, 0, 0});
-    EXPECT_EQ(halved(edge, TexelKind::Color).rgba, (std::vector<std::uint8_t>{200, 100, 50, 128}));
+    EXPECT_EQ(halved(edge, TexelKind::Color).rgba, (Bytes{200, 100, 50, 128}));
 }
 
 TEST(MipMapsTest, levelsGoDownToOneTexelAlsoAtOddSizes) {
-    const Image odd = image(13, 5, false, std::vector<std::uint8_t>(13 * 5 * 4, 255));
+    const Image odd = image(13, 5, false, Bytes(13 * 5 * 4, 255));
     const auto levels = mipMaps(odd, TexelKind::Color);
     ASSERT_EQ(levels.size(), 3u);
     EXPECT_EQ(levels[0].width, 6);
