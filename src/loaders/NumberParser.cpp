@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <future>
@@ -118,19 +119,60 @@ private:
 
     // Reads up to `stop`, where a word begins; `offset` is where in the text the first character stands.
     void readWords(const char* const first, const char* const stop, std::size_t offset) {
-        std::array<T, 64> block;
-        for (const char* at = first; at < stop;) {
+        const char* at = first;
+        if constexpr (std::is_integral_v<T> && kFirstByteIsLowest) at = readIndices(first, stop, offset);
+        while (at < stop) {
             std::size_t count = 0;
-            for (; count < block.size(); ++count) {
+            for (; count < block_.size(); ++count) {
                 while (isSpace(*at)) ++at;
                 if (at >= stop) break;
-                const char* const after = readPlain(at, block[count]);
-                const std::size_t place = offset + static_cast<std::size_t>(at - first);
-                at = after ? after : at + judge(place, values_.size() + count - before_, block[count]);
+                at = readWord(at, offset + static_cast<std::size_t>(at - first), count);
             }
-            values_.insert(values_.end(), block.data(), block.data() + count);
+            keep(count);
         }
     }
+
+    // The same as far as whole blocks of characters go: indices are so short that to look for the end of each takes
+    // longer than to read it. Gives where it stopped.
+    const char* readIndices(const char* const first, const char* const stop, std::size_t offset) {
+        const char* word = nullptr;  // one that has begun
+        const char* at = first;
+        bool wasSpace = true, wasPlain = true;
+        for (; stop - at >= 64; at += 64) {
+            const CharacterKinds kinds = kindsOf(at);
+            const bool isPlain = (kinds.spaces | kinds.digits) == ~std::uint64_t{0};
+            std::uint64_t edges = kinds.spaces ^ (kinds.spaces << 1 | std::uint64_t{wasSpace});
+            std::size_t count = 0;
+            bool allDigits = isPlain && wasPlain;
+            while (edges != 0) {
+                if (!word) {
+                    word = at + std::countr_zero(edges);
+                    edges &= edges - 1;
+                    allDigits = isPlain;
+                    if (edges == 0) break;
+                }
+                const std::ptrdiff_t length = at + std::countr_zero(edges) - word;
+                edges &= edges - 1;
+                if (allDigits && length <= 8)
+                    block_[count++] = indexOf(word, length);
+                else
+                    readWord(word, offset + static_cast<std::size_t>(word - first), count++);
+                word = nullptr;
+            }
+            keep(count);
+            wasSpace = kinds.spaces >> 63 != 0;
+            wasPlain = isPlain;
+        }
+        return word ? word : at;
+    }
+
+    // Into the block; gives where the word ends.
+    const char* readWord(const char* at, std::size_t place, std::size_t index) {
+        const char* const after = readPlain(at, block_[index]);
+        return after ? after : at + judge(place, values_.size() + index - before_, block_[index]);
+    }
+
+    void keep(std::size_t count) { values_.insert(values_.end(), block_.data(), block_.data() + count); }
 
     // The word at a place of the text in full rigour; gives its length.
     std::size_t judge(std::size_t place, std::size_t index, T& value) {
@@ -149,6 +191,7 @@ private:
     std::vector<T>& values_;
     std::vector<NumberFault>& faults_;
     std::size_t before_;
+    std::array<T, 64> block_;
 };
 
 // A thread of its own takes as long to begin as a few ten thousand characters to read.

@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace walkcycle {
 
 // The numbers that exporters write, in one pass over their characters; what is unusual in any way (very many digits, a
@@ -28,22 +32,61 @@ inline bool isNumberSpace(char c) {
     return static_cast<unsigned char>(c) <= ' ';
 }
 
+// Which of 64 characters are white space, and which are digits: a bit for each, the lowest for the first.
+struct CharacterKinds {
+    std::uint64_t spaces = 0, digits = 0;
+};
+
+inline CharacterKinds kindsOf(const char* at) {
+    CharacterKinds kinds;
+#ifdef __SSE2__
+    const auto bits = [](__m128i isSo, int shift) {
+        return std::uint64_t{static_cast<std::uint16_t>(_mm_movemask_epi8(isSo))} << shift;
+    };
+    const auto isAtMost = [](__m128i some, __m128i most) {
+        return _mm_cmpeq_epi8(_mm_min_epu8(some, most), some);
+    };
+    for (int i = 0; i < 64; i += 16) {
+        const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + i));
+        kinds.spaces |= bits(isAtMost(some, _mm_set1_epi8(' ')), i);
+        kinds.digits |= bits(isAtMost(_mm_sub_epi8(some, _mm_set1_epi8('0')), _mm_set1_epi8(9)), i);
+    }
+#else
+    for (int i = 0; i < 64; ++i) {
+        kinds.spaces |= std::uint64_t{isNumberSpace(at[i])} << i;
+        kinds.digits |= std::uint64_t{isDigit(at[i])} << i;
+    }
+#endif
+    return kinds;
+}
+
+inline constexpr bool kFirstByteIsLowest = std::endian::native == std::endian::little;
+
+// Eight characters; each byte that is a digit becomes what it is worth.
+inline std::uint64_t eightDigits(const char* at) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, at, 8);
+    return bytes ^ 0x3030303030303030u;
+}
+
+// The number that eight digits make, the first of them in the lowest byte: neighbours are joined to pairs, fours and
+// eight.
+inline std::uint32_t joinDigits(std::uint64_t bytes) {
+    bytes = bytes * 10 + (bytes >> 8);
+    bytes = (bytes & 0x000000FF000000FFu) * 0x000F424000000064u +
+            ((bytes >> 16) & 0x000000FF000000FFu) * 0x0000271000000001u;
+    return static_cast<std::uint32_t>(bytes >> 32);
+}
+
 // The digits at the start of eight characters and how many they are. All at once, where the machine's first byte is the
-// lowest: each byte becomes its digit, those from the first other character on are shifted out, then neighbours are
-// joined to pairs, fours and eight.
+// lowest: those from the first other character on are shifted out.
 inline int readUpToEightDigits(const char* at, std::uint32_t& number) {
-    if constexpr (std::endian::native == std::endian::little) {
-        std::uint64_t bytes = 0;
-        std::memcpy(&bytes, at, 8);
-        bytes ^= 0x3030303030303030u;
+    if constexpr (kFirstByteIsLowest) {
+        const std::uint64_t bytes = eightDigits(at);
         const std::uint64_t others = ((bytes + 0x7676767676767676u) | bytes) & 0x8080808080808080u;
         const int bits = others == 0 ? 64 : std::countr_zero(others) & ~7;
         if (bits == 0) return static_cast<int>(number = 0);
-        bytes <<= 64 - bits;
-        bytes = bytes * 10 + (bytes >> 8);
-        bytes = (bytes & 0x000000FF000000FFu) * 0x000F424000000064u +
-                ((bytes >> 16) & 0x000000FF000000FFu) * 0x0000271000000001u;
-        number = static_cast<std::uint32_t>(bytes >> 32);
+        number = joinDigits(bytes << (64 - bits));
         return bits / 8;
     } else {
         int count = 0;
@@ -53,7 +96,11 @@ inline int readUpToEightDigits(const char* at, std::uint32_t& number) {
     }
 }
 
-// Indices are mostly three or four digits, as many as those before them: one by one is quickest.
+// One to eight digits.
+inline std::int32_t indexOf(const char* at, std::ptrdiff_t length) {
+    return static_cast<std::int32_t>(joinDigits(eightDigits(at) << (64 - 8 * length)));
+}
+
 inline const char* readPlain(const char* at, std::int32_t& value) {
     const bool negative = *at == '-';
     at += negative;
