@@ -73,6 +73,8 @@ public:
     // Where `most` bytes of its start are enough, it may be no more than those.
     std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath,
                                     std::size_t most = SIZE_MAX);
+    // False where such a folder is certainly not there.
+    bool mayHaveBeside(const XmlNode& from, const std::string& folder) const;
     // Names of the files (not folders) in a folder relative to the document's; for looking for a picture.
     std::vector<std::string> listBeside(const XmlNode& from, const std::string& folder);
 

@@ -161,6 +161,10 @@ std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::str
     return impl_->surroundings.read(from, full, most);
 }
 
+bool DocumentSet::mayHaveBeside(const XmlNode& from, const std::string& folder) const {
+    return impl_->surroundings.mayHave(fs::path(from.file()).parent_path() / folder);
+}
+
 std::vector<std::string> DocumentSet::listBeside(const XmlNode& from, const std::string& folder) {
     return impl_->surroundings.list(fs::path(from.file()).parent_path() / folder);
 }

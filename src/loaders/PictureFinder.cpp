@@ -136,8 +136,10 @@ std::optional<PictureFinder::File> PictureFinder::guess(XmlNode where, const std
         if (std::optional<File> file = inFolder(where, folder, name)) return file;
     }
     if (std::optional<File> file = inFolder(where, "", name)) return file;
-    for (const char* usual : kUsualFolders)
+    for (const char* usual : kUsualFolders) {
+        if (!context_.documents.mayHaveBeside(where, usual)) continue;
         if (std::optional<File> file = inFolder(where, usual, name)) return file;
+    }
     if (std::optional<File> file = inAnotherFormat(where, name)) return file;
     return onlyPicture(where);
 }

@@ -113,6 +113,11 @@ std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& pat
                             : readFileStart(path.string(), maxBytes, most);
 }
 
+bool Surroundings::mayHave(const fs::path& folder) const {
+    std::error_code error;
+    return archive_ || options_.resolver || (root_ && fs::is_directory(folder, error));
+}
+
 const std::vector<std::string>& Surroundings::list(const fs::path& folder) {
     const auto [entry, isNew] = listed_.try_emplace(folder.lexically_normal().string());
     std::vector<std::string>& names = entry->second;
