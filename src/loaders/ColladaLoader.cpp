@@ -79,6 +79,22 @@ void report(const LoadContext& context, double done) {
     if (context.options.progress) context.options.progress(done);
 }
 
+// Meshes, skins, morphs and materials; what only they were made from is given back before the keyframes take memory.
+void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext& context, Model& model,
+                   AnimationTargets& targets) {
+    MeshLibrary meshes(context, model.asset, collada);
+    MaterialLoader materials(context, model);
+    ControllerLoader controllers(context, meshes, skeletons, model, targets);
+    InstanceLoader instances(context, meshes, controllers, materials, model);
+    const SceneGraph& scene = skeletons.scene();
+    for (const SceneGraph::Instance& source : scene.geometries) instances.add(source);
+    for (const SceneGraph::Instance& source : scene.controllers) instances.add(source);
+    meshes.moveInto(model);
+    makeBumpTangents(model);
+    targets.materials = materials.elements();
+    context.sources.forgetFloats();
+}
+
 // The page of the file format: each library in the order in which the next one needs it.
 void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     checkVersion(collada, context);
@@ -95,20 +111,12 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     report(context, 0.2);
 
     AnimationTargets targets;
-    MeshLibrary meshes(context, model.asset, collada);
-    MaterialLoader materials(context, model);
-    ControllerLoader controllers(context, meshes, skeletons, model, targets);
-    InstanceLoader instances(context, meshes, controllers, materials, model);
-    SceneGraph& scene = skeletons.scene();
-    for (const SceneGraph::Instance& source : scene.geometries) instances.add(source);
-    for (const SceneGraph::Instance& source : scene.controllers) instances.add(source);
-    meshes.moveInto(model);
-    makeBumpTangents(model);
+    loadInstances(collada, skeletons, context, model, targets);
     report(context, 0.7);
 
+    SceneGraph& scene = skeletons.scene();
     loadCameras(scene, context, model, targets);
     loadLights(scene, context, model, targets);
-    targets.materials = materials.elements();
     model.skeleton.joints = scene.skeleton.joints;
     loadVisibility(scene, context, model);
     for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;

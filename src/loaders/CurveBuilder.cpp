@@ -82,6 +82,10 @@ void addHandles(const CurveKeys& keys, std::size_t i, Curve& curve) {
     }
 }
 
+bool isPlain(Interpolation interpolation) {
+    return interpolation == Interpolation::Linear || interpolation == Interpolation::Step;
+}
+
 glm::dmat4 matrixFromRows(const double* v) {
     return {v[0], v[4], v[8], 0.0, v[1], v[5], v[9], 0.0, v[2], v[6], v[10], 0.0, v[3], v[7], v[11], 1.0};
 }
@@ -114,10 +118,15 @@ Curve makeCurve(CurveKeys keys) {
     assert(!keys.times.empty() && keys.values.size() == keys.times.size() * keys.width);
     Curve curve;
     curve.width = keys.width;
-    curve.times = keys.times;
-    curve.values = keys.values;
-    moveOntoSplines(keys, curve);
-    curve.segments.resize(keys.times.size() - 1);
+    if (std::all_of(keys.interpolations.begin(), keys.interpolations.end(), isPlain)) {
+        curve.times = std::move(keys.times);
+        curve.values = std::move(keys.values);
+    } else {  // the handles are made from what the splines may move
+        curve.times = keys.times;
+        curve.values = keys.values;
+        moveOntoSplines(keys, curve);
+    }
+    curve.segments.resize(curve.times.size() - 1);
     for (std::size_t i = 0; i < curve.segments.size(); ++i) {
         const Interpolation interpolation = keys.interpolations[i];
         if (interpolation == Interpolation::Linear) continue;

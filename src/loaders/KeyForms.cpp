@@ -9,15 +9,15 @@ namespace walkcycle {
 
 namespace {
 
-CurvedTransform::Numbers numbersOf(const MatrixParts& p) {
-    const glm::dvec3 s = p.scale();
+CurvedTransform::Numbers numbersOf(const Placement& p) {
+    const glm::dvec3& s = p.scale;
     const glm::dquat& q = p.rotation;
     return {p.position.x, p.position.y, p.position.z, q.x, q.y, q.z, q.w, s.x, s.y, s.z};
 }
 
-MatrixParts nearTo(const MatrixParts& other, MatrixParts parts) {
-    if (glm::dot(other.rotation, parts.rotation) < 0.0) parts.rotation = -parts.rotation;
-    return parts;
+Placement nearTo(const Placement& other, Placement placement) {
+    if (glm::dot(other.rotation, placement.rotation) < 0.0) placement.rotation = -placement.rotation;
+    return placement;
 }
 
 double largest(const glm::dvec3& v) {
@@ -26,17 +26,14 @@ double largest(const glm::dvec3& v) {
 
 }  // namespace
 
-MatrixParts StraightTransform::at(double progression) const {
-    MatrixParts parts;
-    parts.position = glm::mix(a.position, b.position, progression);
-    parts.rotation = turn.at(progression);
-    parts.stretch = a.stretch * (1.0 - progression) + b.stretch * progression;
-    return parts;
+Placement StraightTransform::at(double progression) const {
+    return {glm::mix(a.position, b.position, progression), turn.at(progression),
+            glm::mix(a.scale, b.scale, progression)};
 }
 
-CurvedTransform CurvedTransform::throughFour(const MatrixParts& a, const MatrixParts& third,
-                                             const MatrixParts& twoThirds, const MatrixParts& b) {
-    const MatrixParts c = nearTo(a, third), d = nearTo(c, twoThirds);
+CurvedTransform CurvedTransform::throughFour(const Placement& a, const Placement& third,
+                                             const Placement& twoThirds, const Placement& b) {
+    const Placement c = nearTo(a, third), d = nearTo(c, twoThirds);
     CurvedTransform piece{a, nearTo(d, b)};
     const Numbers f0 = numbersOf(a), f1 = numbersOf(c), f2 = numbersOf(d), f3 = numbersOf(piece.b);
     for (std::size_t i = 0; i < f0.size(); ++i) {  // of the one cubic through four evenly spaced values
@@ -46,7 +43,7 @@ CurvedTransform CurvedTransform::throughFour(const MatrixParts& a, const MatrixP
     return piece;
 }
 
-MatrixParts CurvedTransform::at(double s) const {
+Placement CurvedTransform::at(double s) const {
     const double s2 = s * s, s3 = s2 * s;
     const double fromA = 2.0 * s3 - 3.0 * s2 + 1.0, fromLeaving = s3 - 2.0 * s2 + s, fromArriving = s3 - s2;
     const Numbers start = numbersOf(a), stop = numbersOf(b);
@@ -54,11 +51,7 @@ MatrixParts CurvedTransform::at(double s) const {
     for (std::size_t i = 0; i < n.size(); ++i)
         n[i] = fromA * start[i] + (1.0 - fromA) * stop[i] + fromLeaving * leaving[i] +
                fromArriving * arriving[i];
-    MatrixParts parts;
-    parts.position = {n[0], n[1], n[2]};
-    parts.rotation = glm::normalize(glm::dquat(n[6], n[3], n[4], n[5]));
-    for (int i = 0; i < 3; ++i) parts.stretch[i][i] = n[static_cast<std::size_t>(7 + i)];
-    return parts;
+    return {{n[0], n[1], n[2]}, glm::normalize(glm::dquat(n[6], n[3], n[4], n[5])), {n[7], n[8], n[9]}};
 }
 
 double CurvedNumber::at(double s) const {
@@ -75,10 +68,10 @@ double shear(const MatrixParts& exact, const Tolerance& tolerance) {
     return tolerance.unit * tolerance.reach * most;
 }
 
-double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance) {
+double distance(const Placement& exact, const Placement& keyed, const Tolerance& tolerance) {
     const glm::dquat apart = exact.rotation - keyed.rotation, other = exact.rotation + keyed.rotation;
     const double turned = 2.0 * std::sqrt(std::min(glm::dot(apart, apart), glm::dot(other, other)));
-    const double linear = turned * largest(exact.scale()) + largest(exact.scale() - keyed.scale());
+    const double linear = turned * largest(exact.scale) + largest(exact.scale - keyed.scale);
     return tolerance.unit * (glm::length(exact.position - keyed.position) + tolerance.reach * linear);
 }
 

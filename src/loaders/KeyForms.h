@@ -15,45 +15,54 @@ struct Tolerance {
     double reach = 1.0;   // how far from the joint, in its own units, the farthest point hangs that it moves
 };
 
+// Where a joint's transform puts its space, without shear.
+struct Placement {
+    glm::dvec3 position{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+};
+
 // The forms that the run-time has for the way between two keys. Each is made `through` a piece of the exact motion,
 // says where it is `at` a progression from 0 to 1, and how far that is from the exact value.
 
 // Positions and scales on straight lines, rotations the short way round at constant speed.
 struct StraightTransform {
-    using Value = MatrixParts;
-    MatrixParts a, b;
+    static constexpr bool kHasTangents = false;
+    using Value = Placement;
+    Placement a, b;
     Turn turn;
 
     template <typename Exact>
-    static StraightTransform through(const Exact&, double, double, const MatrixParts& a,
-                                     const MatrixParts& b) {
+    static StraightTransform through(const Exact&, double, double, const Placement& a, const Placement& b) {
         return {a, b, Turn(a.rotation, b.rotation)};
     }
-    const MatrixParts& end() const { return b; }
-    MatrixParts at(double progression) const;
+    const Placement& end() const { return b; }
+    Placement at(double progression) const;
 };
 
 // Each number of position, rotation and scale on a cubic curve, the rotation brought back to unit length.
 struct CurvedTransform {
-    using Value = MatrixParts;
+    static constexpr bool kHasTangents = true;
+    using Value = Placement;
     using Numbers = std::array<double, 10>;  // position, rotation (x y z w), scale
-    MatrixParts a, b;
+    Placement a, b;
     Numbers leaving{}, arriving{};  // tangents at the ends, per whole of the progression
 
     template <typename Exact>
-    static CurvedTransform through(const Exact& exact, double from, double to, const MatrixParts& a,
-                                   const MatrixParts& b) {
+    static CurvedTransform through(const Exact& exact, double from, double to, const Placement& a,
+                                   const Placement& b) {
         const double third = (to - from) / 3.0;
         return throughFour(a, exact(from + third), exact(to - third), b);
     }
-    static CurvedTransform throughFour(const MatrixParts& a, const MatrixParts& third,
-                                       const MatrixParts& twoThirds, const MatrixParts& b);
-    const MatrixParts& end() const { return b; }
-    MatrixParts at(double progression) const;
+    static CurvedTransform throughFour(const Placement& a, const Placement& third, const Placement& twoThirds,
+                                       const Placement& b);
+    const Placement& end() const { return b; }
+    Placement at(double progression) const;
 };
 
 // For what no joint transform can hold: number by number.
 struct StraightMatrix {
+    static constexpr bool kHasTangents = false;
     using Value = glm::dmat4;
     glm::dmat4 a{1.0}, b{1.0};
 
@@ -66,6 +75,7 @@ struct StraightMatrix {
 };
 
 struct StraightNumber {
+    static constexpr bool kHasTangents = false;
     using Value = double;
     double a = 0.0, b = 0.0;
 
@@ -78,6 +88,7 @@ struct StraightNumber {
 };
 
 struct CurvedNumber {
+    static constexpr bool kHasTangents = true;
     using Value = double;
     double a = 0.0, b = 0.0;
     double leaving = 0.0, arriving = 0.0;  // tangents at the ends, per whole of the progression
@@ -92,9 +103,8 @@ struct CurvedNumber {
     double at(double progression) const;
 };
 
-// Model-space distance, never underestimated, between where two transforms put the farthest point; of the first kind
-// without shear, which no joint transform holds.
-double distance(const MatrixParts& exact, const MatrixParts& keyed, const Tolerance& tolerance);
+// Model-space distance, never underestimated, between where two transforms put the farthest point.
+double distance(const Placement& exact, const Placement& keyed, const Tolerance& tolerance);
 double distance(const glm::dmat4& exact, const glm::dmat4& keyed, const Tolerance& tolerance);
 double distance(double exact, double keyed, const Tolerance& tolerance);
 

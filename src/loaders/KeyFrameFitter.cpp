@@ -75,7 +75,7 @@ public:
         if (StackParts::canTell(motion)) stack_.emplace(motion);
     }
 
-    MatrixParts at(double seconds, Side side) {
+    Placement at(double seconds, Side side) {
         MatrixParts parts;
         if (const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr)
             parts = *key;
@@ -88,7 +88,7 @@ public:
         first_ = false;
         if (!parts.turns || isMirrored != wasMirrored_ || shear(parts, tolerance_) > 2.0 * tolerance_.budget)
             fits_ = false;
-        return parts;
+        return {parts.position, parts.rotation, parts.scale()};
     }
     bool fits() const { return fits_; }
 
@@ -103,26 +103,30 @@ public:
 
 private:
     // The parts of a key that is a whole matrix, which its curve knows already; null where they say too little.
-    const MatrixParts* keyAt(double seconds) const {
+    const MatrixParts* keyAt(double seconds) {
         const Curve& curve = *motion_.bindings[0].curve;
-        const auto time = std::lower_bound(curve.times.begin(), curve.times.end(), seconds);
-        const bool isKey = time != curve.times.end() && *time == seconds;
-        if (!isKey || (time + 1 != curve.times.end() && time[1] == seconds) || curve.parts.empty())
+        const std::vector<double>& times = curve.times;
+        ++key_;  // they are asked for one after the other
+        if (key_ >= times.size() || times[key_] != seconds || times[key_ - 1] == seconds)
+            key_ = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), seconds) -
+                                            times.begin());
+        const bool isKey = key_ < times.size() && times[key_] == seconds;
+        if (!isKey || (key_ + 1 < times.size() && times[key_ + 1] == seconds) || curve.parts.empty())
             return nullptr;
-        const MatrixParts& parts = curve.parts[static_cast<std::size_t>(time - curve.times.begin())];
-        return parts.turns ? &parts : nullptr;
+        return curve.parts[key_].turns ? &curve.parts[key_] : nullptr;
     }
 
     const JointMotion& motion_;
     const Tolerance& tolerance_;
     const bool straight_;
     std::optional<StackParts> stack_;
+    std::size_t key_ = 0;
     glm::dquat near_{1.0, 0.0, 0.0, 0.0};
     bool first_ = true, wasMirrored_ = false, fits_ = true;
 };
 
-JointTransform toJointTransform(const MatrixParts& parts) {
-    return {glm::vec3(parts.position), glm::quat(parts.rotation), glm::vec3(parts.scale())};
+JointTransform toJointTransform(const Placement& placement) {
+    return {glm::vec3(placement.position), glm::quat(placement.rotation), glm::vec3(placement.scale)};
 }
 
 KeyTangents::Rates toRates(const CurvedTransform::Numbers& n, double seconds) {

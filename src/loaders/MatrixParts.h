@@ -36,7 +36,8 @@ public:
 
 private:
     glm::dquat a_{1.0, 0.0, 0.0, 0.0}, b_{1.0, 0.0, 0.0, 0.0};
-    double angle_ = 0.0, sine_ = 0.0;  // a sine of zero: they are too near to each other to tell
+    double fall_ = 0.0;                // of the cosine below 1
+    double angle_ = 0.0, sine_ = 0.0;  // of a wide one
 };
 glm::dquat turn(const glm::dquat& a, const glm::dquat& b, double progression);
 

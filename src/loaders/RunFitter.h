@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,7 @@ template <typename Form>
 struct RunKeys {
     std::vector<double> times;
     std::vector<typename Form::Value> values;  // one per time
-    std::vector<Form> pieces;                  // one between each two
+    std::vector<Form> pieces;                  // one between each two, of forms with tangents
     bool isWithin = true;                      // the tolerance; false where the limit came first
 };
 
@@ -86,7 +87,7 @@ private:
         const std::size_t last = nodes_.size() - 1;
         for (std::size_t a = 0; a < last;) {
             std::size_t good = a + 1, bad = last + 1;
-            Form piece = pieceTo(keys.values.back(), a, good);
+            std::optional<Form> piece;  // to there, where it is not the next one
             for (std::size_t b = a + 2; b <= last && bad > last;) {
                 const Form wider = pieceTo(keys.values.back(), a, b);
                 if (fits(wider, a, b)) {
@@ -104,9 +105,10 @@ private:
                 else
                     bad = b;
             }
+            if (!piece) piece = pieceTo(keys.values.back(), a, good);
             keys.times.push_back(samples_[nodes_[good]].seconds);
-            keys.values.push_back(piece.end());
-            keys.pieces.push_back(piece);
+            keys.values.push_back(piece->end());
+            if constexpr (Form::kHasTangents) keys.pieces.push_back(*piece);
             a = good;
         }
         return keys;

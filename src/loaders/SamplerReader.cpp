@@ -134,7 +134,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
                                         {samplerName(sampler), i ? "OUTPUT" : "INPUT"});
     if (!input || !output) return false;
     const auto times = context_.sources.doubles(input, Numbers::Error);
-    const auto values = context_.sources.doubles(output, Numbers::Error);
+    const auto values = context_.sources.doublesToTake(output, Numbers::Error);
     if (!times || !values || times->count() == 0 || values->count() == 0) {
         context_.diagnostics.report(Code::SamplerIncomplete, sampler,
                                     {samplerName(sampler), times && times->count() ? "OUTPUT" : "INPUT"});
@@ -150,9 +150,10 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
     const std::size_t count = std::min(times->count(), valueCount);
     keyNumbers_ += count * (keys.width + 1);
     context_.require(keyNumbers_, &LoadLimits::maxKeyNumbers, sampler);
+    keys.times.reserve(count);
     for (std::size_t i = 0; i < count; ++i) keys.times.push_back((*times)[i][0]);
-    keys.values.assign(values->values.begin(),
-                       values->values.begin() + static_cast<std::ptrdiff_t>(count * keys.width));
+    keys.values = std::move(values->values);
+    keys.values.resize(count * keys.width);
     readInterpolations(sampler, interpolation, keys);
     readTangents(sampler, inTangent, outTangent, keys);
     mendTimes(sampler, *times, keys);

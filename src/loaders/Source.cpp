@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_set>
 
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
@@ -191,10 +192,11 @@ struct SourceReader::Impl {
     std::unordered_map<XmlNode, std::shared_ptr<const FloatSource>> floats;
     std::unordered_map<XmlNode, std::shared_ptr<const DoubleSource>> doubles;
     std::unordered_map<XmlNode, std::shared_ptr<const NameSource>> names;
+    std::unordered_set<XmlNode> taken;
 
     template <typename T, typename Read>
-    std::shared_ptr<const Source<T>> read(XmlNode source, bool isArray(std::string_view), Read readArray,
-                                          Severity miscounted = Severity::Error) {
+    std::shared_ptr<Source<T>> read(XmlNode source, bool isArray(std::string_view), Read readArray,
+                                    Severity miscounted = Severity::Error) {
         const XmlNode array = findArray(source, documents, diagnostics, isArray);
         if (!array) {
             diagnostics.report(Code::MissingElement, source,
@@ -216,14 +218,14 @@ struct SourceReader::Impl {
     }
 
     template <typename T>
-    std::shared_ptr<const Source<T>> numbers(XmlNode source, Numbers numbers) {
+    std::shared_ptr<Source<T>> numbers(XmlNode source, Numbers numbers) {
         return read<T>(source, isNumberArray,
                        [&](XmlNode array) { return readNumbers<T>(array, diagnostics, numbers); });
     }
 };
 
 SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics)
-    : impl_(new Impl{documents, diagnostics, {}, {}, {}}) {}
+    : impl_(new Impl{documents, diagnostics, {}, {}, {}, {}}) {}
 SourceReader::~SourceReader() = default;
 
 std::shared_ptr<const FloatSource> SourceReader::floats(XmlNode source, Numbers numbers) {
@@ -236,6 +238,19 @@ std::shared_ptr<const DoubleSource> SourceReader::doubles(XmlNode source, Number
     const auto [entry, isNew] = impl_->doubles.try_emplace(source);
     if (isNew) entry->second = impl_->numbers<double>(source, numbers);
     return entry->second;
+}
+
+// One that is asked for again after all is kept from then on.
+std::shared_ptr<DoubleSource> SourceReader::doublesToTake(XmlNode source, Numbers numbers) {
+    if (impl_->doubles.contains(source) || !impl_->taken.insert(source).second) {
+        const auto kept = doubles(source, numbers);
+        return kept ? std::make_shared<DoubleSource>(*kept) : nullptr;
+    }
+    return impl_->numbers<double>(source, numbers);
+}
+
+void SourceReader::forgetFloats() {
+    impl_->floats.clear();
 }
 
 std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref, Severity miscounted) {

@@ -52,6 +52,11 @@ public:
     std::shared_ptr<const NameSource> names(XmlNode source, bool& isIdref,
                                             Severity miscounted = Severity::Error);
 
+    // The same as doubles(), for one who will take it apart: not kept, since hardly any other asks for it again.
+    std::shared_ptr<DoubleSource> doublesToTake(XmlNode source, Numbers numbers);
+    // When nobody will ask for floats again.
+    void forgetFloats();
+
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
