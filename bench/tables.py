@@ -74,7 +74,7 @@ def load_tables(files):
         size = os.path.getsize(file)
         heading(f"Loading {os.path.basename(file)}, {size:,} bytes")
         row("", "best ms", "median ms", "ns/byte")
-        rows = {name.rsplit("/", 1)[1]: found for name, found in benchmark("load", file).items()}
+        rows = {name.split("/")[1]: found for name, found in benchmark("load", file).items()}
         for name, found in rows.items():
             row(name, f"{found.best / 1e6:.2f}", f"{found.median / 1e6:.2f}", f"{found.median / size:.2f}")
         for peer, most in (("assimp-joined", 0.20), ("assimp", 0.75), ("opencollada", 0.85)):

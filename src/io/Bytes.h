@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -8,13 +9,31 @@
 
 namespace walkcycle {
 
+// Memory for as much as a large file holds, in large pages where the system has them: to get it in small ones takes as
+// long as to read it. Throws std::bad_alloc.
+void* allocateLarge(std::size_t bytes);
+void freeLarge(void* memory) noexcept;
+
 // Leaves new elements as they are: what is read into at once need not be zeroed before.
 template <typename T>
-struct UnfilledAllocator : std::allocator<T> {
+struct UnfilledAllocator {
+    using value_type = T;
+    static constexpr std::size_t kLarge = (std::size_t{8} << 20) / sizeof(T);
+
+    UnfilledAllocator() = default;
     template <typename U>
-    struct rebind {
-        using other = UnfilledAllocator<U>;
-    };
+    UnfilledAllocator(const UnfilledAllocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        if (count < kLarge) return std::allocator<T>().allocate(count);
+        return static_cast<T*>(allocateLarge(count * sizeof(T)));
+    }
+    void deallocate(T* memory, std::size_t count) noexcept {
+        if (count < kLarge)
+            std::allocator<T>().deallocate(memory, count);
+        else
+            freeLarge(memory);
+    }
     template <typename U>
     void construct(U* at) {
         ::new (static_cast<void*>(at)) U;
@@ -23,6 +42,7 @@ struct UnfilledAllocator : std::allocator<T> {
     void construct(U* at, Arguments&&... arguments) {
         ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
     }
+    friend bool operator==(const UnfilledAllocator&, const UnfilledAllocator&) { return true; }
 };
 
 // What a file or a picture holds. (resize(n) does not fill what it adds; resize(n, 0) does.)

@@ -111,6 +111,15 @@ void Curve::evaluateInside(double seconds, Side side, std::span<double> out, std
     }
 }
 
+std::optional<glm::dmat4> Curve::blendedAt(double seconds, Side side) const {
+    if (parts.empty() || segments.empty() || !(seconds > start() && seconds < end())) return std::nullopt;
+    const std::size_t k = segmentAt(seconds, side);
+    if (segments[k].kind != Kind::Linear || !(times[k] < seconds && seconds < times[k + 1]))
+        return std::nullopt;
+    const double progression = (seconds - times[k]) / (times[k + 1] - times[k]);
+    return blend(parts[k], parts[k + 1], progression).toMatrix();
+}
+
 void Curve::evaluate(double seconds, Side side, std::span<double> out) const {
     std::size_t place = 0;
     evaluate(seconds, side, out, place);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,9 @@ public:
 
     // The same, for many times in order: `place` is where the last one was found (0 at first).
     void evaluate(double seconds, Side side, std::span<double> out, std::size_t& place) const;
+
+    // Where LINEAR leads from one whole matrix to the next: the matrix between them, without a detour over its numbers.
+    std::optional<glm::dmat4> blendedAt(double seconds, Side side) const;
 
     // True if nothing changes strictly between two times that have no knot between them.
     bool holds(double from, double to) const;

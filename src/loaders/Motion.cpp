@@ -73,7 +73,18 @@ void ParameterMotion::settleRivals() {
     settle(bindings);
 }
 
+// Nearly all baked files move each joint by one curve of whole matrices.
+std::optional<glm::dmat4> JointMotion::wholeMatrix(double seconds, Side side) const {
+    if (stack.size() != 1 || bindings.size() != 1) return std::nullopt;
+    const CurveBinding& b = bindings[0];
+    if (b.count != 16 || b.scale != 1.0 || !rules(b, seconds, side)) return std::nullopt;
+    std::optional<glm::dmat4> matrix = b.curve->blendedAt(seconds, side);
+    if (matrix && outer != glm::dmat4(1.0)) *matrix = outer * *matrix;
+    return matrix;
+}
+
 glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
+    if (const std::optional<glm::dmat4> whole = wholeMatrix(seconds, side)) return *whole;
     glm::dmat4 product = outer;
     std::array<double, 16> moved;
     std::array<double, 16> numbers;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,6 +59,9 @@ struct JointMotion {
     void settleRivals();
     // No less than the degrees that the joint turns between two neighbouring knots.
     double degreesTurned(double from, double to) const;
+
+private:
+    std::optional<glm::dmat4> wholeMatrix(double seconds, Side side) const;
 };
 
 // A parameter that moves.

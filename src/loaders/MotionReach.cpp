@@ -33,6 +33,18 @@ void chain(const std::vector<Joint>& joints, std::vector<glm::dmat4>& locals) {
 
 }  // namespace
 
+// Two opposite corners at a time: the middle plus and minus the same half diagonal.
+double MotionReach::Box::farthestSquared(const glm::dmat4& matrix) const {
+    const glm::dvec3 middle = 0.5 * (min + max), half = 0.5 * (max - min);
+    const glm::dmat3 linear(matrix);
+    const glm::dvec3 at = linear * middle + glm::dvec3(matrix[3]);
+    const glm::dvec3 x = linear[0] * half.x, y = linear[1] * half.y, z = linear[2] * half.z;
+    double most = 0.0;
+    for (const glm::dvec3& diagonal : {x + y + z, x + y - z, x - y + z, x - y - z})
+        most = std::max(most, glm::dot(diagonal, diagonal) + 2.0 * std::abs(glm::dot(at, diagonal)));
+    return glm::dot(at, at) + most;
+}
+
 MotionReach::MotionReach(const Model& model, const Motion& motion, double seconds)
     : worlds_(model.skeleton.joints.size()), boxes_(worlds_.size()) {
     std::vector<double> parameters(model.parameters.size());
@@ -160,12 +172,7 @@ double MotionReach::measure(const Model& model, const Motion& motion, const Anim
         chain(joints, keyed);
         for (std::size_t i = 0; i < joints.size(); ++i) {
             if (boxes_[i].empty()) continue;
-            const glm::dmat3 linear = glm::dmat3(exact[i]) - glm::dmat3(keyed[i]);
-            const glm::dvec3 shift = glm::dvec3(exact[i][3]) - glm::dvec3(keyed[i][3]);
-            for (int c = 0; c < 8; ++c) {
-                const glm::dvec3 apart = linear * boxes_[i].corner(c) + shift;
-                farthest = std::max(farthest, glm::dot(apart, apart));
-            }
+            farthest = std::max(farthest, boxes_[i].farthestSquared(exact[i] - keyed[i]));
         }
     }
     return std::sqrt(farthest) / modelSize_;

@@ -33,6 +33,8 @@ private:
         glm::dvec3 corner(int i) const {
             return {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
         }
+        // How far a matrix takes any of its corners from the origin.
+        double farthestSquared(const glm::dmat4& matrix) const;
     };
     void addInstance(const Model& model, const MeshInstance& instance, Box& modelBox);
     void addSkinned(const Model& model, const MeshInstance& instance, const Deformer& deformer,
