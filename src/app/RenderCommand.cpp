@@ -118,7 +118,7 @@ public:
 private:
     Image draw(const Camera& camera) {
         renderer_.render(model_, camera, picture_, look_);
-        return picture_.read();
+        return picture_.read(renderer_.drawnArea());
     }
 
     Image average(const Camera& camera, int passes) {

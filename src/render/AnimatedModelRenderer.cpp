@@ -53,6 +53,7 @@ struct AnimatedModelRenderer::Impl {
     FileLights lights;
     BufferTexture lightTexture{GL_RGBA32F};
     std::vector<Draw> solid, seeThrough;
+    ScreenArea drawnArea;
     BackgroundRenderer background;
     std::optional<SkeletonRenderer> skeleton;  // made when it is first needed
     std::optional<Wireframe> wireframe;
@@ -203,6 +204,11 @@ void AnimatedModelRenderer::render(const AnimatedModel& model, const Camera& cam
         impl_->background.render(options, encodesItself, nullptr, target);
     }
     impl_->drawModel({model, camera, options, encodesItself});
+    impl_->drawnArea = options.skeleton ? ScreenArea::whole() : impl_->states.area(model, camera, target);
+}
+
+ScreenArea AnimatedModelRenderer::drawnArea() const {
+    return impl_->drawnArea;
 }
 
 void AnimatedModelRenderer::clear(const RenderTarget& target, const RenderOptions& options) {

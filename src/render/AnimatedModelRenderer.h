@@ -6,6 +6,7 @@
 #include "render/Camera.h"
 #include "render/RenderOptions.h"
 #include "render/RenderTarget.h"
+#include "render/ScreenArea.h"
 
 namespace walkcycle {
 
@@ -24,6 +25,9 @@ public:
     // One whole picture: background, model, grid, skeleton.
     void render(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
                 const RenderOptions& options = {});
+
+    // Outside of this area the last picture by render() shows the background alone, which Framebuffer::read() can use.
+    ScreenArea drawnArea() const;
 
     // The same in steps, for pictures with several models: clear once, then draw each. Without the grid.
     void clear(const RenderTarget& target, const RenderOptions& options = {});

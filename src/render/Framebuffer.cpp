@@ -131,7 +131,7 @@ Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newF
     target_.underlay = &resolver_->underlay;
 }
 
-void Framebuffer::resolve() const {
+void Framebuffer::resolve(const ScreenArea& drawn) const {
     if (!resolver_) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
         return;
@@ -150,13 +150,14 @@ void Framebuffer::resolve() const {
     const ShaderProgram& program = resolver_->program(samples_);
     program.start();
     program.setSampler("samples", 0);
+    setUniform(program.uniform("drawn"), drawn.pixels());
     if (resolver_->underlay) resolver_->underlay->load(program);
     resolver_->noInputs.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image Framebuffer::read() const {
-    resolve();
+Image Framebuffer::read(const ScreenArea& drawn) const {
+    resolve(drawn);
     Image image;
     image.width = width();
     image.height = height();

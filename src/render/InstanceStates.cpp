@@ -104,6 +104,19 @@ const DeformUniforms::Values& InstanceStates::bind(const AnimatedModel& model, s
     return states_[i].deform;
 }
 
+ScreenArea InstanceStates::area(const AnimatedModel& model, const Camera& camera,
+                                const RenderTarget& target) const {
+    ScreenArea area = ScreenArea::none(target.width, target.height);
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        const std::vector<Bounds>& boxes = model.resource()->instances()[i].boxes;
+        if (!states_[i].visible) continue;
+        if (boxes.size() != states_[i].matrixCount) return ScreenArea::whole();
+        for (std::size_t m = 0; m < boxes.size(); ++m)
+            area.add(boxes[m], camera.viewProjection() * matrices_[states_[i].firstMatrix + m]);
+    }
+    return area;
+}
+
 glm::vec3 InstanceStates::position(const AnimatedModel& model, std::size_t i, std::uint32_t position) const {
     const MeshInstance& instance = model.model().instances[i];
     const ModelResource::Instance& resource = model.resource()->instances()[i];

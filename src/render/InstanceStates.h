@@ -9,6 +9,8 @@
 #include "render/AnimatedModelShader.h"
 #include "render/JointPalette.h"
 #include "render/ModelResource.h"
+#include "render/RenderTarget.h"
+#include "render/ScreenArea.h"
 
 namespace walkcycle {
 
@@ -29,6 +31,9 @@ public:
 
     // Binds what the shader reads for an instance, and returns what it must be told.
     const DeformUniforms::Values& bind(const AnimatedModel& model, std::size_t instance) const;
+
+    // Where in a picture the instances can be; the whole of it where that is not told quickly.
+    ScreenArea area(const AnimatedModel& model, const Camera& camera, const RenderTarget& target) const;
 
     // Where a position of the instance is now, in model space; for sorting.
     glm::vec3 position(const AnimatedModel& model, std::size_t instance, std::uint32_t position) const;

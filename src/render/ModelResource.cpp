@@ -82,6 +82,12 @@ std::uint32_t middlePosition(const MeshData& mesh, const MeshPart& part) {
     return nearest;
 }
 
+std::vector<Bounds> boxes(const Model& model, const MeshData& mesh, const ModelResource::Instance& resource) {
+    if (resource.skin < 0) return boxesOfMatrices(mesh, nullptr, 1);
+    return boxesOfMatrices(mesh, &model.influences[index(resource.influences)],
+                           model.skins[index(resource.skin)].joints.size());
+}
+
 bool mayBeTransparent(const Model& model, int material) {
     if (material < 0) return false;
     if (model.materials[index(material)].transparent) return true;
@@ -147,6 +153,7 @@ void ModelResource::addInstance(const Model& model, const MeshInstance& instance
             needs_.moreInfluences |= resource.influenceBuffers->more.has_value();
         }
     }
+    if (!resource.deformedOnCpu && resource.morphCount == 0) resource.boxes = boxes(model, mesh, resource);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i)
         resource.parts.push_back(part(model, instance, i, resource));
     instances_.push_back(std::move(resource));

@@ -11,6 +11,7 @@
 #include "model/Model.h"
 #include "render/GlTexture.h"
 #include "render/MeshBuffers.h"
+#include "render/ScreenArea.h"
 
 namespace walkcycle {
 
@@ -51,6 +52,7 @@ public:
         std::size_t morphCount = 0;  // leading deformers that the shader sums up
         std::unique_ptr<DeformedBuffers> deformed;
         std::vector<Part> parts;
+        std::vector<Bounds> boxes;  // of its palette's matrices; empty where they do not tell where it is
     };
 
     // `maxTexels`: how large a texture buffer may be.

@@ -88,6 +88,10 @@ void setUniform(GLint location, const glm::vec4& value) {
     glUniform4fv(location, 1, &value.x);
 }
 
+void setUniform(GLint location, const glm::ivec4& value) {
+    glUniform4iv(location, 1, &value.x);
+}
+
 void setUniform(GLint location, const glm::mat3x4& value) {
     glUniformMatrix3x4fv(location, 1, GL_FALSE, &value[0][0]);
 }

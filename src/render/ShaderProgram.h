@@ -48,6 +48,7 @@ void setUniform(GLint location, float value);
 void setUniform(GLint location, const glm::vec2& value);
 void setUniform(GLint location, const glm::vec3& value);
 void setUniform(GLint location, const glm::vec4& value);
+void setUniform(GLint location, const glm::ivec4& value);
 void setUniform(GLint location, const glm::mat3x4& value);
 void setUniform(GLint location, const glm::mat4& value);
 

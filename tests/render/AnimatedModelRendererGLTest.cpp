@@ -48,6 +48,35 @@ TEST_F(AnimatedModelRendererGLTest, drawsABallInTheMiddleOnAGradient) {
     EXPECT_EQ(pixel(image, 5, 120)[3], 255);
 }
 
+// Whether reading only what was drawn gives the same picture as reading all of it.
+TEST_F(AnimatedModelRendererGLTest, nothingIsDrawnOutsideTheDrawnArea) {
+    Model morphed = rigid(ball());
+    addMorph(morphed, MorphMethod::Normalized, {3.0f});
+    Framebuffer picture(96, 64);
+    for (const Model& shown : {rigid(ball()), skinned(9, 7), skinned(3, 2), morphed}) {
+        const AnimatedModel model(shown);
+        const Camera framed = Camera::framing(model.bounds(), picture.aspect());
+        Camera aside = framed, inside = framed;
+        aside.view = glm::translate(glm::mat4(1.0f), {1.2f, 0.9f, 0.0f}) * framed.view;
+        inside.view = glm::lookAt(glm::vec3(0.1f), glm::vec3(1.0f), {0, 1, 0});
+        for (const Camera& camera : {framed, aside, inside})
+            for (const RenderOptions& options :
+                 {RenderOptions{}, kFile, RenderOptions{.wireframe = true, .skeleton = true}}) {
+                renderer_.render(model, camera, picture, options);
+                EXPECT_EQ(picture.read(renderer_.drawnArea()).rgba, picture.read().rgba);
+            }
+    }
+}
+
+TEST_F(AnimatedModelRendererGLTest, theDrawnAreaIsSmallWhereTheModelIs) {
+    Framebuffer picture(200, 100);
+    const AnimatedModel model(rigid(ball()));
+    renderer_.render(model, Camera::framing(model.bounds(), picture.aspect()), picture);
+    const glm::ivec4 area = renderer_.drawnArea().pixels();
+    EXPECT_GT(area[0], 20);
+    EXPECT_LT(area[2], 180);
+}
+
 TEST_F(AnimatedModelRendererGLTest, withoutABackgroundSolidThingsHaveFullAlphaAndTheRestIsClearBlack) {
     const Image image = draw(rigid(square()), kFile);
     EXPECT_EQ(pixel(image, 32, 32)[3], 255);
