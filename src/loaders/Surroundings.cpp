@@ -51,23 +51,6 @@ char lowerCase(char c) {
 
 }  // namespace
 
-// Usual folders that are not there lie where the document does.
-fs::path Surroundings::trueFolder(const fs::path& folder, std::error_code& error) const {
-    const auto [known, isNew] = folders_.try_emplace(folder.string());
-    if (!isNew) return known->second;
-    const fs::path name = folder.filename();
-    const auto parent = folders_.find(folder.parent_path().string());
-    std::error_code unseen;
-    const bool isMissing = fs::symlink_status(folder, unseen).type() == fs::file_type::not_found;
-    if (isMissing && parent != folders_.end() && !name.empty() && name != "." && name != "..")
-        known->second = parent->second / name;
-    else
-        known->second = fs::weakly_canonical(folder, error);
-    if (!error) return known->second;
-    folders_.erase(known);
-    return {};
-}
-
 // Absolute first: of a relative path that is not there weakly_canonical makes nothing absolute. That asks the system for
 // each step of the path, so a folder is looked up once; a last step that is no link has no say.
 fs::path Surroundings::trueLocation(const fs::path& path, std::error_code& error) const {
@@ -78,8 +61,11 @@ fs::path Surroundings::trueLocation(const fs::path& path, std::error_code& error
     const fs::file_type type = fs::symlink_status(absolute, unseen).type();
     const bool isPlain = type == fs::file_type::regular || type == fs::file_type::not_found;
     if (!isPlain || name.empty() || name == "." || name == "..") return fs::weakly_canonical(absolute, error);
-    const fs::path folder = trueFolder(absolute.parent_path(), error);
-    return error ? fs::path() : folder / name;
+    const auto [folder, isNew] = folders_.try_emplace(absolute.parent_path().string());
+    if (isNew) folder->second = fs::weakly_canonical(absolute.parent_path(), error);
+    if (!error) return folder->second / name;
+    folders_.erase(folder);
+    return {};
 }
 
 void Surroundings::useFolder(const fs::path& folder) {

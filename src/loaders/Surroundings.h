@@ -36,7 +36,6 @@ public:
 
 private:
     bool mayOpen(const std::filesystem::path& path) const;
-    std::filesystem::path trueFolder(const std::filesystem::path& folder, std::error_code& error) const;
     std::filesystem::path trueLocation(const std::filesystem::path& path, std::error_code& error) const;
 
     const LoadOptions& options_;
