@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 
+#include "loaders/NumberBlock.h"
 #include "loaders/NumberToken.h"
 #include "loaders/PlainNumber.h"
 
@@ -80,7 +81,7 @@ private:
     // Reads up to `stop`, where a word begins; `offset` is where in the text the first character stands.
     void readWords(const char* const first, const char* const stop, std::size_t offset) {
         const char* at = first;
-        if constexpr (std::is_integral_v<T> && kFirstByteIsLowest) at = readIndices(first, stop, offset);
+        if constexpr (std::is_integral_v<T> && kFirstByteIsLowest) at = readBlocks(first, stop, offset);
         while (at < stop) {
             std::size_t count = 0;
             for (; count < block_.size(); ++count) {
@@ -92,38 +93,27 @@ private:
         }
     }
 
-    // The same as far as whole blocks of characters go: indices are so short that to look for the end of each takes
-    // longer than to read it. Gives where it stopped.
-    const char* readIndices(const char* const first, const char* const stop, std::size_t offset) {
-        const char* word = nullptr;  // one that has begun
+    // The same as far as whole blocks of characters go. Gives where it stopped, with no word half read.
+    const char* readBlocks(const char* const first, const char* const stop, std::size_t offset) {
         const char* at = first;
-        bool wasSpace = true, wasPlain = true;
-        for (; stop - at >= 64; at += 64) {
-            const CharacterKinds kinds = kindsOf(at);
-            const bool isPlain = (kinds.spaces | kinds.digits) == ~std::uint64_t{0};
-            std::uint64_t edges = kinds.spaces ^ (kinds.spaces << 1 | std::uint64_t{wasSpace});
+        while (stop - at >= NumberBlock::kSize) {
+            const NumberBlock block(at);
+            const std::size_t place = offset + static_cast<std::size_t>(at - first);
             std::size_t count = 0;
-            bool allDigits = isPlain && wasPlain;
-            while (edges != 0) {
-                if (!word) {
-                    word = at + std::countr_zero(edges);
-                    edges &= edges - 1;
-                    allDigits = isPlain;
-                    if (edges == 0) break;
-                }
-                const std::ptrdiff_t length = at + std::countr_zero(edges) - word;
+            unsigned from = NumberBlock::kSize;  // of the word that does not end in the block
+            for (std::uint64_t edges = block.edges(); edges != 0; edges &= edges - 1) {
+                from = static_cast<unsigned>(std::countr_zero(edges));
                 edges &= edges - 1;
-                if (allDigits && length <= 8)
-                    block_[count++] = indexOf(word, length);
-                else
-                    readWord(word, offset + static_cast<std::size_t>(word - first), count++);
-                word = nullptr;
+                if (edges == 0) break;
+                const auto to = static_cast<unsigned>(std::countr_zero(edges));
+                if (!block.read(from, to, block_[count])) readWord(at + from, place + from, count);
+                ++count;
+                from = NumberBlock::kSize;
             }
+            at = from == 0 ? readWord(at, place, count++) : at + from;
             keep(count);
-            wasSpace = kinds.spaces >> 63 != 0;
-            wasPlain = isPlain;
         }
-        return word ? word : at;
+        return at;
     }
 
     // Into the block; gives where the word ends.

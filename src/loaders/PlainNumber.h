@@ -5,10 +5,6 @@
 #include <cstdint>
 #include <cstring>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace walkcycle {
 
 // The numbers that exporters write, in one pass over their characters; what is unusual in any way (very many digits, a
@@ -30,34 +26,6 @@ inline bool isDigit(char c) {
 // Every control character counts as white space: exporters have written all of them.
 inline bool isNumberSpace(char c) {
     return static_cast<unsigned char>(c) <= ' ';
-}
-
-// Which of 64 characters are white space, and which are digits: a bit for each, the lowest for the first.
-struct CharacterKinds {
-    std::uint64_t spaces = 0, digits = 0;
-};
-
-inline CharacterKinds kindsOf(const char* at) {
-    CharacterKinds kinds;
-#ifdef __SSE2__
-    const auto bits = [](__m128i isSo, int shift) {
-        return std::uint64_t{static_cast<std::uint16_t>(_mm_movemask_epi8(isSo))} << shift;
-    };
-    const auto isAtMost = [](__m128i some, __m128i most) {
-        return _mm_cmpeq_epi8(_mm_min_epu8(some, most), some);
-    };
-    for (int i = 0; i < 64; i += 16) {
-        const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + i));
-        kinds.spaces |= bits(isAtMost(some, _mm_set1_epi8(' ')), i);
-        kinds.digits |= bits(isAtMost(_mm_sub_epi8(some, _mm_set1_epi8('0')), _mm_set1_epi8(9)), i);
-    }
-#else
-    for (int i = 0; i < 64; ++i) {
-        kinds.spaces |= std::uint64_t{isNumberSpace(at[i])} << i;
-        kinds.digits |= std::uint64_t{isDigit(at[i])} << i;
-    }
-#endif
-    return kinds;
 }
 
 inline constexpr bool kFirstByteIsLowest = std::endian::native == std::endian::little;
@@ -94,11 +62,6 @@ inline int readUpToEightDigits(const char* at, std::uint32_t& number) {
             number = number * 10 + static_cast<std::uint32_t>(at[count] - '0');
         return count;
     }
-}
-
-// One to eight digits.
-inline std::int32_t indexOf(const char* at, std::ptrdiff_t length) {
-    return static_cast<std::int32_t>(joinDigits(eightDigits(at) << (64 - 8 * length)));
 }
 
 inline const char* readPlain(const char* at, std::int32_t& value) {
@@ -157,6 +120,10 @@ inline double overPower(std::uint64_t number, std::ptrdiff_t power) {
     return static_cast<double>(static_cast<std::int64_t>(number)) / kPowers[static_cast<std::size_t>(power)];
 }
 
+inline double withSign(double value, std::uint64_t isNegative) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | isNegative << 63);
+}
+
 // The same with an exponent. False where the power is too large.
 inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, double& value) {
     const std::ptrdiff_t power = digits.number == 0 ? 0 : exponent - digits.behindPoint;
@@ -166,6 +133,8 @@ inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, dou
                       : overPower(digits.number, 0) * kPowers[static_cast<std::size_t>(power)];
     return true;
 }
+
+inline constexpr std::uint64_t kExactInDouble = std::uint64_t{1} << 53;
 
 inline const char* readNearby(const char* at, std::uint64_t most, double& value) {
     const std::uint64_t sign = static_cast<std::uint64_t>(*at == '-');
@@ -180,23 +149,27 @@ inline const char* readNearby(const char* at, std::uint64_t most, double& value)
         at = readExponent(at + 1, exponent);
         if (!at || !withExponent(digits, exponent, value)) return nullptr;
     }
-    value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | sign << 63);
+    value = withSign(value, sign);
     return at;
 }
 
 inline const char* readPlain(const char* at, double& value) {
-    return readNearby(at, std::uint64_t{1} << 53, value);
+    return readNearby(at, kExactInDouble, value);
 }
 
-// By way of the nearest double, or one beside it: the nearest float is the same, unless the double is about halfway
-// between two floats. (None of these doubles is too small or too large for a normal float, but zero.)
+// The float nearest to a number of which this is the nearest double, or one beside it: the same as the double's, unless
+// that is about halfway between two floats. (None of these doubles is too small or too large for a normal float, but
+// zero.)
+inline bool roundAgain(double nearby, float& value) {
+    constexpr std::uint64_t kBitsBelow = (1u << 29) - 1, kHalf = 1u << 28, kSlack = 4;
+    value = static_cast<float>(nearby);
+    return (std::bit_cast<std::uint64_t>(nearby) & kBitsBelow) - (kHalf - kSlack) > 2 * kSlack;
+}
+
 inline const char* readPlain(const char* at, float& value) {
     double nearby = 0.0;
     at = readNearby(at, ~std::uint64_t{0} >> 1, nearby);
-    constexpr std::uint64_t kBitsBelow = (1u << 29) - 1, kHalf = 1u << 28, kSlack = 4;
-    if ((std::bit_cast<std::uint64_t>(nearby) & kBitsBelow) - (kHalf - kSlack) <= 2 * kSlack) return nullptr;
-    value = static_cast<float>(nearby);
-    return at;
+    return roundAgain(nearby, value) ? at : nullptr;
 }
 
 }  // namespace walkcycle
