@@ -17,6 +17,9 @@ endif()
 if(WALKCYCLE_SANITIZE)
     add_compile_options(-fsanitize=${WALKCYCLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${WALKCYCLE_SANITIZE})
+    if(WALKCYCLE_SANITIZE MATCHES address)
+        add_compile_definitions(WALKCYCLE_ADDRESS_SANITIZER)  # what compilers define themselves differs
+    endif()
 endif()
 
 # For programs that draw: see KeepLibraries.cpp.

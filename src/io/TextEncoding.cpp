@@ -192,12 +192,15 @@ bool isUtf8(std::string_view text) {
     return !firstInvalidUtf8({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-std::optional<std::string_view> asUtf8(const Bytes& bytes) {
+std::optional<std::string_view> asUtf8(const Bytes& bytes, bool* plain) {
     std::string_view text = viewOf(bytes);
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     const Span span = declaredEncoding(text);
     const std::string name = lowerCase(text.substr(span.begin, span.end - span.begin));
     const bool claimsUtf8 = name.empty() || name == "utf-8" || name == "utf8";
+    const bool isPlain = claimsUtf8 && isPlainText(text);
+    if (plain) *plain = isPlain;
+    if (isPlain) return text;
     // Anything with a zero byte is UTF-16, UTF-32 or broken.
     if (!claimsUtf8 || text.find('\0') != std::string_view::npos || !isUtf8(text)) return std::nullopt;
     return text;

@@ -9,6 +9,10 @@ namespace {
 // Loops of a fixed length without a way out are what compilers make vectors of.
 constexpr std::size_t kBlock = 128;
 
+unsigned char isForbiddenControl(unsigned char c) {
+    return static_cast<unsigned char>((c < ' ') & (c != '\t') & (c != '\n') & (c != '\r'));
+}
+
 template <typename Test>
 bool anyInBlock(const char* block, Test test) {
     unsigned char any = 0;
@@ -53,8 +57,22 @@ std::size_t findBeyondAscii(std::string_view text, std::size_t from) {
 
 std::size_t findForbiddenControl(std::string_view text) {
     const auto mayHold = [](const char* block) { return leastInBlock(block) < ' '; };
-    return findFirst(text, 0, mayHold, [](unsigned char c) {
-        return static_cast<unsigned char>((c < ' ') & (c != '\t') & (c != '\n') & (c != '\r'));
+    return findFirst(text, 0, mayHold, isForbiddenControl);
+}
+
+bool isPlainText(std::string_view text) {
+    std::string_view rest = text;
+    for (; rest.size() >= kBlock; rest.remove_prefix(kBlock)) {
+        unsigned char any = 0, least = 0xFF;
+        for (std::size_t i = 0; i < kBlock; ++i) {
+            const auto c = static_cast<unsigned char>(rest[i]);
+            any |= c;
+            least = std::min(least, c);
+        }
+        if (any >= 0x80 || (least < ' ' && anyInBlock(rest.data(), isForbiddenControl))) return false;
+    }
+    return std::none_of(rest.begin(), rest.end(), [](char c) {
+        return static_cast<unsigned char>(c) >= 0x80 || isForbiddenControl(static_cast<unsigned char>(c));
     });
 }
 

@@ -32,11 +32,15 @@ std::string toText(Bytes bytes, const std::string& file, Diagnostics& diagnostic
     }
 }
 
-// What tinyxml2 would take in silence: control characters, and entities in a DOCTYPE. Zero bytes are gone by now.
-void refuseTricks(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
-    constexpr std::size_t kNone = std::string_view::npos;
+// Zero bytes are gone by now.
+void reportControls(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
     if (const std::size_t control = findForbiddenControl(text); control != text.size())
         diagnostics.report(Code::ControlCharacter, file, lineAt(text, control), {});
+}
+
+// What tinyxml2 would take in silence, or for ever: entities in a DOCTYPE, and very many attributes.
+void refuseTricks(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+    constexpr std::size_t kNone = std::string_view::npos;
     constexpr std::size_t kMostAttributes = 1000;
     if (const std::size_t crowded = findCrowdedTag(text, kMostAttributes); crowded != kNone)
         diagnostics.fail(Code::NotXml, file, lineAt(text, crowded),
@@ -102,7 +106,8 @@ ColladaDocument::~ColladaDocument() = default;
 
 // Nearly every document is UTF-8 already, and large: then no copy of it is made.
 void ColladaDocument::decode(Bytes bytes, Diagnostics& diagnostics) {
-    const std::optional<std::string_view> text = asUtf8(bytes);
+    bool isPlain = false;
+    const std::optional<std::string_view> text = asUtf8(bytes, &isPlain);
     if (text && !text->empty()) {
         bytes_ = std::move(bytes);
         text_ = *text;
@@ -110,6 +115,7 @@ void ColladaDocument::decode(Bytes bytes, Diagnostics& diagnostics) {
         rewritten_ = toText(std::move(bytes), file_, diagnostics);
         text_ = rewritten_;
     }
+    if (!isPlain) reportControls(text_, file_, diagnostics);
     refuseTricks(text_, file_, diagnostics);
     if (std::optional<std::string> kept = withoutInstructions(text_)) {
         rewritten_ = std::move(*kept);

@@ -10,7 +10,7 @@
 namespace walkcycle {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef WALKCYCLE_ADDRESS_SANITIZER
 constexpr std::uint64_t kStep = 5;  // ten times slower: each fifth request
 #else
 constexpr std::uint64_t kStep = 1;

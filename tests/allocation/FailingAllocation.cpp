@@ -4,17 +4,6 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define WALKCYCLE_OWN_MALLOC 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define WALKCYCLE_OWN_MALLOC 0
-#endif
-#endif
-#ifndef WALKCYCLE_OWN_MALLOC
-#define WALKCYCLE_OWN_MALLOC 1
-#endif
-
 namespace {
 
 thread_local std::uint64_t asked = 0, refusedAt = 0;
@@ -43,7 +32,7 @@ std::uint64_t FailingAllocation::requests() {
 
 }  // namespace walkcycle
 
-#if WALKCYCLE_OWN_MALLOC
+#ifndef WALKCYCLE_ADDRESS_SANITIZER
 
 // glibc's own, under the names that it keeps for this purpose; operator new asks them as well.
 extern "C" {

@@ -143,7 +143,7 @@ TEST_F(OutputFaultsTest, aSignalWhileWritingLeavesTheOldFileOrTheNewOne) {
 }
 
 TEST_F(OutputFaultsTest, whatFailsWhileWritingLeavesTheOldFile) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef WALKCYCLE_ADDRESS_SANITIZER
     GTEST_SKIP() << "the sanitizer writes, too, and does not survive that it fails";
 #endif
     if (!canTrace()) GTEST_SKIP() << "strace is not installed, or may not trace";

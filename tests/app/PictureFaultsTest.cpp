@@ -71,7 +71,7 @@ std::map<std::string, std::string> bombs() {
 
 // In so little memory that nothing of what they claim can be made.
 std::vector<std::string> inLittleMemory() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef WALKCYCLE_ADDRESS_SANITIZER
     return {};
 #else
     return {"/usr/bin/prlimit", "--as=" + std::to_string(100 << 20)};

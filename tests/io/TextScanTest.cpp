@@ -25,9 +25,11 @@ TEST(TextScanTest, theFirstOddCharacterIsFoundWhereverItStands) {
         EXPECT_EQ(findBeyondAscii(text, place), place);
         EXPECT_EQ(findBeyondAscii(text, place + 1), text.size());
         EXPECT_EQ(findForbiddenControl(text), text.size());
+        EXPECT_FALSE(isPlainText(text));
         text[place] = '\x01';
         EXPECT_EQ(findForbiddenControl(text), place);
         EXPECT_EQ(findBeyondAscii(text), text.size());
+        EXPECT_FALSE(isPlainText(text));
     }
 }
 
@@ -36,6 +38,7 @@ TEST(TextScanTest, tabsAndLineEndsAreNoForbiddenControlCharacters) {
         const std::string text(300, static_cast<char>(c));
         const bool forbidden = c < ' ' && c != '\t' && c != '\n' && c != '\r';
         EXPECT_EQ(findForbiddenControl(text), forbidden ? 0 : text.size()) << c;
+        EXPECT_EQ(isPlainText(text), !forbidden && c < 0x80) << c;
     }
 }
 
