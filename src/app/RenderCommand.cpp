@@ -2,7 +2,6 @@
 #include <exception>
 #include <future>
 #include <memory>
-#include <optional>
 
 #include "app/CameraChoice.h"
 #include "app/Clips.h"
@@ -164,7 +163,7 @@ public:
     explicit Opening(const RenderArguments& options) {
         auto loading = std::async(std::launch::async, [&options] { return options.load.load(options.file); });
         try {
-            graphics_.emplace(options.backend);
+            graphics_ = new Graphics(options.backend);
         } catch (const NoGraphicsDevice&) {
             noDevice_ = std::current_exception();
         }
@@ -177,7 +176,8 @@ public:
     }
 
 private:
-    std::optional<Graphics> graphics_;
+    // Never closed: that takes the driver longer than it takes the system to clear up when the process ends.
+    static inline Graphics* graphics_ = nullptr;
     std::exception_ptr noDevice_;
 
 public:
