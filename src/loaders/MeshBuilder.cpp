@@ -49,8 +49,7 @@ private:
     bool useNormal(float* normal, std::size_t meshCorner);
     void cutFace(std::span<const Ring> rings);
     void addIndices(std::span<const std::uint32_t> corners);
-    bool isPlainQuad(const Ring& quad);
-    bool hasArea(const Ring& ring);
+    bool hasArea(const Ring& ring, bool& isPlain);
     std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner, std::size_t count);
     void report(const PrimitiveCorners& primitive);
 
@@ -206,12 +205,13 @@ bool Builder::useNormal(float* normal, std::size_t meshCorner) {
 // Appends the triangles of a polygon (its outline and holes, all joined).
 void Builder::cutFace(std::span<const Ring> rings) {
     const Ring& outline = rings[0];
-    if (!hasArea(outline)) ++flatFaces_;
     const std::uint32_t* vertices = loaded_.cornerVertices.data();
     const std::uint32_t c0 = outline.firstCorner;
+    bool isPlain = false;
+    if (!hasArea(outline, isPlain)) ++flatFaces_;
     // Nearly all are triangles and plain quads.
     if (rings.size() == 1 && outline.cornerCount == 3) return addIndices(std::array{c0, c0 + 1, c0 + 2});
-    if (rings.size() == 1 && outline.cornerCount == 4 && isPlainQuad(outline))
+    if (rings.size() == 1 && outline.cornerCount == 4 && isPlain)
         return addIndices(std::array{c0, c0 + 1, c0 + 2, c0, c0 + 2, c0 + 3});
     points_.clear();
     pointCorners_.clear();
@@ -229,35 +229,29 @@ void Builder::cutFace(std::span<const Ring> rings) {
 }
 
 void Builder::addIndices(std::span<const std::uint32_t> corners) {
-    for (const std::uint32_t corner : corners) mesh_.indices.push_back(loaded_.cornerVertices[corner]);
+    const std::uint32_t* const vertices = loaded_.cornerVertices.data();
+    for (const std::uint32_t corner : corners) mesh_.indices.push_back(vertices[corner]);
     if (!loaded_.hasNormals)
         loaded_.indexCorners.insert(loaded_.indexCorners.end(), corners.begin(), corners.end());
 }
 
-// Whether a quad may be cut from its first corner to its third: both halves face where the whole faces.
-bool Builder::isPlainQuad(const Ring& quad) {
-    const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + quad.firstCorner;
-    const glm::dvec3 origin(mesh_.positions[corners[0]]);
-    const glm::dvec3 first = glm::dvec3(mesh_.positions[corners[1]]) - origin;
-    const glm::dvec3 diagonal = glm::dvec3(mesh_.positions[corners[2]]) - origin;
-    const glm::dvec3 last = glm::dvec3(mesh_.positions[corners[3]]) - origin;
-    const glm::dvec3 half = glm::cross(first, diagonal), otherHalf = glm::cross(diagonal, last);
-    const glm::dvec3 whole = half + otherHalf;
-    return glm::dot(half, whole) > 0.0 && glm::dot(otherHalf, whole) > 0.0;
-}
-
-bool Builder::hasArea(const Ring& ring) {
+// Whether a polygon is more than a line. It is plain where the first and the last triangle of a fan face where the whole
+// does: then a quad may be cut from its first corner to its third.
+bool Builder::hasArea(const Ring& ring, bool& isPlain) {
     const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + ring.firstCorner;
     const glm::dvec3 origin(mesh_.positions[corners[0]]);
     glm::dvec3 edge = glm::dvec3(mesh_.positions[corners[1]]) - origin;
-    glm::dvec3 area(0.0);
-    double size = 0.0;  // the area that corners so far apart could have
+    glm::dvec3 area(0.0), first(0.0), last(0.0);
+    double size = glm::dot(edge, edge);  // the area that corners so far apart could have
     for (std::uint32_t i = 2; i < ring.cornerCount; ++i) {
         const glm::dvec3 next = glm::dvec3(mesh_.positions[corners[i]]) - origin;
-        area += glm::cross(edge, next);
-        size = std::max({size, glm::dot(edge, edge), glm::dot(next, next)});
+        last = glm::cross(edge, next);
+        if (i == 2) first = last;
+        area += last;
+        size = std::max(size, glm::dot(next, next));
         edge = next;
     }
+    isPlain = glm::dot(first, area) > 0.0 && glm::dot(last, area) > 0.0;
     return glm::dot(area, area) > kFlatSquared * size * size;
 }
 
