@@ -36,7 +36,6 @@ struct StraightTransform {
     static StraightTransform through(const Exact&, double, double, const Placement& a, const Placement& b) {
         return {a, b, Turn(a.rotation, b.rotation)};
     }
-    const Placement& end() const { return b; }
     Placement at(double progression) const;
 };
 
@@ -70,7 +69,6 @@ struct StraightMatrix {
     static StraightMatrix through(const Exact&, double, double, const glm::dmat4& a, const glm::dmat4& b) {
         return {a, b};
     }
-    const glm::dmat4& end() const { return b; }
     glm::dmat4 at(double progression) const { return a * (1.0 - progression) + b * progression; }
 };
 
@@ -83,7 +81,6 @@ struct StraightNumber {
     static StraightNumber through(const Exact&, double, double, double a, double b) {
         return {a, b};
     }
-    double end() const { return b; }
     double at(double progression) const { return a + (b - a) * progression; }
 };
 

@@ -76,19 +76,18 @@ public:
     }
 
     Placement at(double seconds, Side side) {
-        MatrixParts parts;
-        if (const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr)
-            parts = *key;
-        else if (!stack_ || !stack_->at(seconds, side, parts))
-            parts = partsOf(motion_.localTransform(seconds, side), near_);
-        if (glm::dot(parts.rotation, near_) < 0.0) parts.rotation = -parts.rotation;
-        near_ = parts.rotation;
+        const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr;
+        MatrixParts other;
+        if (!key && (!stack_ || !stack_->at(seconds, side, other)))
+            other = partsOf(motion_.localTransform(seconds, side), near_);
+        const MatrixParts& parts = key ? *key : other;
+        near_ = glm::dot(parts.rotation, near_) < 0.0 ? -parts.rotation : parts.rotation;
         const bool isMirrored = parts.stretch[0][0] < 0.0;
         if (first_) wasMirrored_ = isMirrored;
         first_ = false;
         if (!parts.turns || isMirrored != wasMirrored_ || shear(parts, tolerance_) > 2.0 * tolerance_.budget)
             fits_ = false;
-        return {parts.position, parts.rotation, parts.scale()};
+        return {parts.position, near_, parts.scale()};
     }
     bool fits() const { return fits_; }
 

@@ -22,7 +22,8 @@ double largestAxis(const glm::dmat4& m) {
 }
 
 glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& point) {
-    return glm::dvec3(m * glm::dvec4(point, 1.0));
+    return glm::dvec3(m[0]) * point.x + glm::dvec3(m[1]) * point.y + glm::dvec3(m[2]) * point.z +
+           glm::dvec3(m[3]);
 }
 
 void chain(const std::vector<Joint>& joints, std::vector<glm::dmat4>& locals) {

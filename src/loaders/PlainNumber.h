@@ -48,16 +48,16 @@ inline std::uint32_t joinDigits(std::uint64_t bytes) {
 
 // The digits at the start of eight characters and how many they are. All at once, where the machine's first byte is the
 // lowest: those from the first other character on are shifted out.
-inline int readUpToEightDigits(const char* at, std::uint32_t& number) {
+inline unsigned readUpToEightDigits(const char* at, std::uint32_t& number) {
     if constexpr (kFirstByteIsLowest) {
         const std::uint64_t bytes = eightDigits(at);
         const std::uint64_t others = ((bytes + 0x7676767676767676u) | bytes) & 0x8080808080808080u;
-        const int bits = others == 0 ? 64 : std::countr_zero(others) & ~7;
-        if (bits == 0) return static_cast<int>(number = 0);
+        const unsigned bits = others == 0 ? 64u : static_cast<unsigned>(std::countr_zero(others)) & ~7u;
+        if (bits == 0) return number = 0;
         number = joinDigits(bytes << (64 - bits));
         return bits / 8;
     } else {
-        int count = 0;
+        unsigned count = 0;
         for (number = 0; count < 8 && isDigit(at[count]); ++count)
             number = number * 10 + static_cast<std::uint32_t>(at[count] - '0');
         return count;
@@ -76,10 +76,12 @@ inline const char* readPlain(const char* at, std::int32_t& value) {
     return at;
 }
 
-// Digits with a point behind one of them: a whole number, and how many of its digits are behind the point.
+// Digits with a point behind one of them: a whole number, and how many of its digits are behind the point. One that is
+// not long has no more than eight digits.
 struct PlainDigits {
     std::uint64_t number = 0;
-    std::ptrdiff_t behindPoint = 0;
+    unsigned behindPoint = 0;
+    bool isLong = false;
 };
 
 // Null where the first character is no digit, or a longer number might not fit.
@@ -89,18 +91,21 @@ inline const char* readDigits(const char* at, PlainDigits& digits) {
     const auto digit = static_cast<unsigned char>(*at - '0');
     if (digit >= 10) return nullptr;
     digits.number = digit;
-    for (++at; isDigit(*at); ++at) digits.number = digits.number * 10 + static_cast<std::uint64_t>(*at - '0');
+    for (++at; isDigit(*at); ++at, digits.isLong = true)
+        digits.number = digits.number * 10 + static_cast<std::uint64_t>(*at - '0');
     if (*at == '.') {
-        const char* const point = at++;
+        ++at;
         std::uint32_t some = 0;
-        int count = 8;
-        for (; count == 8; at += count) {
-            count = readUpToEightDigits(at, some);
-            digits.number = digits.number * kWholePowers[static_cast<std::size_t>(count)] + some;
+        unsigned count = readUpToEightDigits(at, some);
+        digits.number = digits.number * kWholePowers[count] + some;
+        for (digits.behindPoint = count; count == 8; digits.behindPoint += count) {
+            digits.isLong = true;
+            count = readUpToEightDigits(at + digits.behindPoint, some);
+            digits.number = digits.number * kWholePowers[count] + some;
         }
-        digits.behindPoint = at - point - 1;
+        at += digits.behindPoint;
     }
-    return at - first <= kLongest ? at : nullptr;
+    return digits.isLong && at - first > kLongest ? nullptr : at;
 }
 
 // What stands behind an 'e'; null where it is not a few digits.
@@ -108,7 +113,7 @@ inline const char* readExponent(const char* at, std::ptrdiff_t& exponent) {
     const bool negative = *at == '-';
     if (negative || *at == '+') ++at;
     std::uint32_t number = 0;
-    const int count = readUpToEightDigits(at, number);
+    const unsigned count = readUpToEightDigits(at, number);
     at += count;
     exponent = negative ? -static_cast<std::ptrdiff_t>(number) : static_cast<std::ptrdiff_t>(number);
     return count == 0 || count > 4 || !isNumberSpace(*at) ? nullptr : at;
@@ -126,7 +131,8 @@ inline double withSign(double value, std::uint64_t isNegative) {
 
 // The same with an exponent. False where the power is too large.
 inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, double& value) {
-    const std::ptrdiff_t power = digits.number == 0 ? 0 : exponent - digits.behindPoint;
+    const std::ptrdiff_t power =
+        digits.number == 0 ? 0 : exponent - static_cast<std::ptrdiff_t>(digits.behindPoint);
     constexpr auto kMostPower = static_cast<std::ptrdiff_t>(kPowers.size()) - 1;
     if (power < -kMostPower || power > kMostPower) return false;
     value = power < 0 ? overPower(digits.number, -power)
@@ -140,7 +146,7 @@ inline const char* readNearby(const char* at, std::uint64_t most, double& value)
     const std::uint64_t sign = static_cast<std::uint64_t>(*at == '-');
     PlainDigits digits;
     at = readDigits(at + sign, digits);
-    if (!at || digits.number > most) return nullptr;
+    if (!at || (digits.isLong && digits.number > most)) return nullptr;
     if (isNumberSpace(*at)) {
         value = overPower(digits.number, digits.behindPoint);
     } else {

@@ -32,6 +32,8 @@ public:
         : exact_(std::move(exact)), tolerance_(tolerance), isStraight_(isStraight), limit_(limit) {}
 
     Keys fit(const std::vector<double>& knots) {
+        samples_.reserve(knots.size());
+        nodes_.reserve(knots.size());
         samples_ = {{knots.front(), exact_(knots.front())}};
         nodes_ = {0};
         for (std::size_t i = 1; i < knots.size(); ++i) refine(knots[i]);
@@ -46,6 +48,7 @@ private:
 
     // Adds the way from the last node to a time to the samples, with as few nodes as needed.
     void refine(double to) {
+        if (isStraight_) return addNode({to, exact_(to)});
         constexpr double kShare = 0.4;  // of the budget: what is left out later needs the rest
         constexpr int kDeepest = 24;
         std::vector<std::pair<double, int>>& ends = ends_;
@@ -55,7 +58,7 @@ private:
             const auto [end, depth] = ends.back();
             const Sample start = samples_[nodes_.back()], stop{end, exact_(end)};
             probes.clear();
-            const double strayed = isStraight_ ? 0.0 : probe(start, stop, probes);
+            const double strayed = probe(start, stop, probes);
             const bool maySplit = depth < kDeepest && nodes_.size() + ends.size() < limit_;
             isWithin_ = isWithin_ && (maySplit || strayed <= tolerance_.budget);
             if (strayed > kShare * tolerance_.budget && maySplit) {
@@ -64,10 +67,14 @@ private:
                 continue;
             }
             samples_.insert(samples_.end(), probes.begin(), probes.end());
-            samples_.push_back(stop);
-            nodes_.push_back(samples_.size() - 1);
+            addNode(stop);
             ends.pop_back();
         }
+    }
+
+    void addNode(const Sample& sample) {
+        nodes_.push_back(samples_.size());
+        samples_.push_back(sample);
     }
 
     double probe(const Sample& start, const Sample& stop, std::vector<Sample>& probes) {
@@ -105,10 +112,15 @@ private:
                 else
                     bad = b;
             }
-            if (!piece) piece = pieceTo(keys.values.back(), a, good);
-            keys.times.push_back(samples_[nodes_[good]].seconds);
-            keys.values.push_back(piece->end());
-            if constexpr (Form::kHasTangents) keys.pieces.push_back(*piece);
+            const Sample& reached = samples_[nodes_[good]];
+            keys.times.push_back(reached.seconds);
+            if constexpr (Form::kHasTangents) {
+                if (!piece) piece = pieceTo(keys.values.back(), a, good);
+                keys.values.push_back(piece->end());
+                keys.pieces.push_back(*piece);
+            } else {
+                keys.values.push_back(reached.value);
+            }
             a = good;
         }
         return keys;

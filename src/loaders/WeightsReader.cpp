@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
 #include "loaders/NumberParser.h"
 
@@ -64,6 +65,7 @@ public:
           context_(context),
           layout_(layout),
           jointCount_(jointCount),
+          weightCount_(layout.weights ? layout.weights->count() : 0),
           v_(readInts(element.child("v"), context.diagnostics)) {}
 
     std::size_t groupCount() const { return v_.size() / layout_.stride; }
@@ -100,8 +102,8 @@ public:
 private:
     void addOne(const std::int32_t* group, Influences& out) {
         const std::int32_t joint = group[layout_.jointOffset], weight = group[layout_.weightOffset];
-        if (weight < 0 || static_cast<std::size_t>(weight) >= layout_.weights->count()) {
-            outOfRange("weight", group + layout_.weightOffset, layout_.weights->count());
+        if (weight < 0 || static_cast<std::size_t>(weight) >= weightCount_) {
+            outOfRange("weight", group + layout_.weightOffset, weightCount_);
             return;
         }
         if (joint < -1 || (joint >= 0 && static_cast<std::size_t>(joint) >= jointCount_)) {
@@ -145,7 +147,7 @@ private:
     XmlNode element_;
     const LoadContext& context_;
     const Layout& layout_;
-    std::size_t jointCount_;
+    std::size_t jointCount_, weightCount_;
     std::vector<std::int32_t> v_;
     std::size_t at_ = 0;  // in v_
     Findings found_;
@@ -194,6 +196,7 @@ std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, 
 Influences readWeights(XmlNode vertexWeights, std::size_t positionCount, std::size_t jointCount,
                        const LoadContext& context) {
     Influences out;
+    out.first.reserve(positionCount + 1);
     out.first.push_back(0);
     Layout layout;
     const bool usable = readLayout(vertexWeights, context, layout);
@@ -201,6 +204,7 @@ Influences readWeights(XmlNode vertexWeights, std::size_t positionCount, std::si
     if (usable) {
         const std::vector<std::size_t> counts =
             readVcounts(vertexWeights, reader.groupCount(), positionCount, context);
+        out.influences.reserve(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
         for (const std::size_t count : counts) reader.add(count, out);
         reader.report();
         if (counts.size() < positionCount)
