@@ -158,12 +158,17 @@ bool Curve::mayJump() const {
 }
 
 bool Curve::holds(double from, double to) const {
+    std::size_t place = 0;
+    return holds(from, to, place);
+}
+
+bool Curve::holds(double from, double to, std::size_t& place) const {
     const double middle = 0.5 * (from + to);
     const Infinity infinity = middle < start() ? before : after;
     const bool outside = middle < start() || middle > end();
     if (segments.empty() || (outside && infinity == Infinity::Constant)) return true;
     if (outside && infinity == Infinity::Linear) return false;
-    const std::size_t k = segmentAt(placeOf(middle, Side::Right).seconds, Side::Right);
+    const std::size_t k = place = segmentAt(placeOf(middle, Side::Right).seconds, Side::Right, place);
     if (segments[k].kind == Kind::Step) return true;
     const double* a = &values[k * width];
     if (!std::equal(a, a + width, a + width)) return false;
@@ -196,11 +201,11 @@ void Curve::knots(double from, double to, std::size_t limit, std::vector<double>
     }
 }
 
-double Curve::travel(double from, double to, std::size_t component) const {
-    if (holds(from, to)) return 0.0;
-    const Place place = placeOf(0.5 * (from + to), Side::Right);
-    if (place.beyond != 0.0) return std::abs(slope(place.beyond > 0.0, component)) * (to - from);
-    const std::size_t k = segmentAt(place.seconds, Side::Right);
+double Curve::travel(double from, double to, std::size_t component, std::size_t& place) const {
+    if (holds(from, to, place)) return 0.0;
+    const Place at = placeOf(0.5 * (from + to), Side::Right);
+    if (at.beyond != 0.0) return std::abs(slope(at.beyond > 0.0, component)) * (to - from);
+    const std::size_t k = segmentAt(at.seconds, Side::Right, place);
     const double a = values[k * width + component], b = values[(k + 1) * width + component];
     double way = std::abs(b - a);
     if (segments[k].kind == Kind::Bezier) {

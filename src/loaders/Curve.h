@@ -53,12 +53,13 @@ public:
 
     // True if nothing changes strictly between two times that have no knot between them.
     bool holds(double from, double to) const;
+    bool holds(double from, double to, std::size_t& place) const;  // as for evaluate()
 
     // Times within [from, to] where a new piece of the curve begins, appended; at most `limit` of them.
     void knots(double from, double to, std::size_t limit, std::vector<double>& out) const;
 
     // No less than the way that a component goes between two times that have no knot between them.
-    double travel(double from, double to, std::size_t component) const;
+    double travel(double from, double to, std::size_t component, std::size_t& place) const;
 
 private:
     struct Place {  // a time, brought back to within the keys

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "loaders/RunFitter.h"
@@ -39,10 +40,8 @@ constexpr double kMostDegrees = 60.0;
 
 // Whether a motion turns so fast that so many keys would be more than half a circle apart: then they say nothing, and
 // looking for better ones would take long and find none.
-bool isBeyondKeys(const JointMotion& motion, const std::vector<double>& knots, std::size_t limit) {
-    double wanted = 0.0;
-    for (std::size_t i = 1; i < knots.size(); ++i)
-        wanted += motion.degreesTurned(knots[i - 1], knots[i]) / kMostDegrees;
+bool isBeyondKeys(const std::vector<double>& degrees, std::size_t limit) {
+    const double wanted = std::accumulate(degrees.begin(), degrees.end(), 0.0) / kMostDegrees;
     return !(wanted < 2.5 * static_cast<double>(limit));
 }
 
@@ -54,11 +53,14 @@ bool isAll(const JointMotion& motion, std::size_t limit) {
 }
 
 // A turn of more than half a circle looks like a short one from its ends, so long turns are cut up beforehand.
-std::vector<double> withTurnsCut(const JointMotion& motion, const std::vector<double>& knots,
+// (`degrees` as JointMotion::degreesTurned gives them.)
+std::vector<double> withTurnsCut(const std::vector<double>& knots, const std::vector<double>& degrees,
                                  std::size_t limit) {
+    if (degrees.empty()) return knots;
     std::vector<double> cut{knots.front()};
+    cut.reserve(knots.size());
     for (std::size_t i = 1; i < knots.size(); ++i) {
-        const double wanted = std::ceil(motion.degreesTurned(knots[i - 1], knots[i]) / kMostDegrees);
+        const double wanted = std::ceil(degrees[i - 1] / kMostDegrees);
         const double room = static_cast<double>(limit - std::min(limit, cut.size()));
         const int parts = static_cast<int>(std::clamp(wanted, 1.0, std::clamp(room, 1.0, 1e6)));
         for (int p = 1; p < parts; ++p) cut.push_back(knots[i - 1] + (knots[i] - knots[i - 1]) * p / parts);
@@ -210,8 +212,9 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
     const std::vector<double> times = motion.knots(from, to, limit);
     const bool allKnots = isAll(motion, limit);
     limit = mostKeys(times.size(), spare, limit);
-    const bool isBeyond = isBeyondKeys(motion, times, limit);
-    const std::vector<double> knots = isBeyond ? times : withTurnsCut(motion, times, limit);
+    const std::vector<double> degrees = motion.degreesTurned(times);
+    const bool isBeyond = isBeyondKeys(degrees, limit);
+    const std::vector<double> knots = isBeyond ? times : withTurnsCut(times, degrees, limit);
     if (isBeyond) limit = times.size();
     const auto jumps = [&](double t) {
         return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),

@@ -153,11 +153,15 @@ bool JointMotion::isStraightByNumber() const {
            });
 }
 
-double JointMotion::degreesTurned(double from, double to) const {
-    double degrees = 0.0;
-    for (const CurveBinding& b : bindings)
-        if (stack[b.element].kind == TransformElement::Kind::Rotate && b.first + b.count == 4)
-            degrees += b.curve->travel(from, to, b.component + b.count - 1);
+std::vector<double> JointMotion::degreesTurned(const std::vector<double>& knots) const {
+    std::vector<double> degrees;
+    for (const CurveBinding& b : bindings) {
+        if (stack[b.element].kind != TransformElement::Kind::Rotate || b.first + b.count != 4) continue;
+        degrees.resize(knots.size() - 1);
+        std::size_t place = 0;
+        for (std::size_t i = 1; i < knots.size(); ++i)
+            degrees[i - 1] += b.curve->travel(knots[i - 1], knots[i], b.component + b.count - 1, place);
+    }
     return degrees;
 }
 

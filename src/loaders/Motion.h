@@ -57,8 +57,9 @@ struct JointMotion {
     bool isStraightByNumber() const;
     // Says which of several bindings to the same numbers rules when (see CurveBinding::from).
     void settleRivals();
-    // No less than the degrees that the joint turns between two neighbouring knots.
-    double degreesTurned(double from, double to) const;
+    // No less than the degrees that the joint turns between each two neighbouring knots; empty where it does not turn by
+    // degrees.
+    std::vector<double> degreesTurned(const std::vector<double>& knots) const;
 
 private:
     std::optional<glm::dmat4> wholeMatrix(double seconds, Side side) const;
