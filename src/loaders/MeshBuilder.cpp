@@ -21,6 +21,12 @@ constexpr float kLeastNormalSquared = 1e-20f;
 // Corners are on one line where single precision cannot tell them from it.
 constexpr double kFlatSquared = 1e-14;
 
+std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
+    std::size_t corners = 0;
+    for (const PrimitiveCorners& primitive : primitives) corners += primitive.cornerCount();
+    return corners;
+}
+
 class Builder {
 public:
     Builder(const std::vector<PrimitiveCorners>& primitives, LoadedMesh& loaded, const LoadContext& context)
@@ -28,7 +34,7 @@ public:
           mesh_(loaded.mesh),
           context_(context),
           attributes_(primitives),
-          joiner_(attributes_.count(), positionsOf(primitives)) {}
+          joiner_(attributes_.count(), positionsOf(primitives), cornersOf(primitives)) {}
 
     // Positions first, of all primitives: faces of different materials smooth into each other.
     void addPositions(const PrimitiveCorners& primitive);
@@ -276,10 +282,9 @@ void buildMesh(const PrimitiveInputs& vertices, const std::vector<PrimitiveCorne
                LoadedMesh& loaded, const LoadContext& context) {
     Builder builder(primitives, loaded, context);
     // Once for all: a reserve() for each of many primitives would copy what there is each time.
-    std::size_t corners = 0, rings = 0;
-    for (const PrimitiveCorners& primitive : primitives)
-        corners += primitive.cornerCount(), rings += primitive.rings.size();
-    loaded.mesh.indices.reserve(corners);
+    std::size_t rings = 0;
+    for (const PrimitiveCorners& primitive : primitives) rings += primitive.rings.size();
+    loaded.mesh.indices.reserve(cornersOf(primitives));
     loaded.faces.rings.reserve(rings);
     if (vertices.usable()) builder.positionBase(*vertices.position.source);
     for (const PrimitiveCorners& primitive : primitives) builder.addPositions(primitive);

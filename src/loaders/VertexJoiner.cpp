@@ -28,8 +28,14 @@ std::uint32_t hashOf(std::uint32_t position, const float* attributes, std::size_
 
 }  // namespace
 
-VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions)
-    : attributeCount_(attributeCount), firstAt_(expectedPositions, kNone) {}
+VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions,
+                           std::size_t expectedCorners)
+    : attributeCount_(attributeCount), firstAt_(expectedPositions, kNone) {
+    const std::size_t vertices = std::min(expectedPositions, expectedCorners);  // mostly somewhat more
+    positions_.reserve(vertices);
+    nextAt_.reserve(vertices);
+    attributes_.reserve(vertices * attributeCount);
+}
 
 std::uint32_t VertexJoiner::add(std::uint32_t position, const float* attributes) {
     constexpr int kLongestChain = 16;  // a fan of hard edges; no honest position has many more vertices

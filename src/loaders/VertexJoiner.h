@@ -9,8 +9,8 @@ namespace walkcycle {
 // index: exporters repeat equal values) are one vertex.
 class VertexJoiner {
 public:
-    // `attributeCount` numbers per corner, one at least; `expectedPositions` is only a hint.
-    VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions);
+    // `attributeCount` numbers per corner, one at least; how many positions and corners there will be is only a hint.
+    VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions, std::size_t expectedCorners);
 
     // The vertex of a corner. `attributes` points to attributeCount finite numbers.
     std::uint32_t add(std::uint32_t position, const float* attributes);

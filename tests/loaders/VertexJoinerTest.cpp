@@ -8,7 +8,7 @@ namespace walkcycle {
 namespace {
 
 TEST(VertexJoinerTest, equalCornersAreOneVertex) {
-    VertexJoiner joiner(2, 3);
+    VertexJoiner joiner(2, 3, 3);
     const std::array<float, 2> a{1.0f, 2.0f}, b{1.0f, 3.0f};
 
     EXPECT_EQ(joiner.add(7, a.data()), 0u);
@@ -20,14 +20,14 @@ TEST(VertexJoinerTest, equalCornersAreOneVertex) {
 }
 
 TEST(VertexJoinerTest, zeroAndMinusZeroAreEqual) {
-    VertexJoiner joiner(1, 2);
+    VertexJoiner joiner(1, 2, 2);
     const float zero = 0.0f, minusZero = -0.0f;
 
     EXPECT_EQ(joiner.add(0, &zero), joiner.add(0, &minusZero));
 }
 
 TEST(VertexJoinerTest, itGrowsBeyondWhatWasExpected) {
-    VertexJoiner joiner(1, 0);
+    VertexJoiner joiner(1, 0, 0);
     for (int round = 0; round < 2; ++round)
         for (std::uint32_t i = 0; i < 100'000; ++i) {
             const float value = static_cast<float>(i % 10);
@@ -37,7 +37,7 @@ TEST(VertexJoinerTest, itGrowsBeyondWhatWasExpected) {
 }
 
 TEST(VertexJoinerTest, manyVerticesAtOnePositionDoNotHang) {
-    VertexJoiner joiner(1, 0);
+    VertexJoiner joiner(1, 0, 0);
     for (std::uint32_t i = 0; i < 1'000'000; ++i) {
         const float value = static_cast<float>(i);
         ASSERT_EQ(joiner.add(0, &value), i);
