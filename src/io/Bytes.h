@@ -40,7 +40,7 @@ struct UnfilledAllocator {
     }
     template <typename U, typename... Arguments>
     void construct(U* at, Arguments&&... arguments) {
-        ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+        std::construct_at(at, std::forward<Arguments>(arguments)...);
     }
     friend bool operator==(const UnfilledAllocator&, const UnfilledAllocator&) { return true; }
 };
