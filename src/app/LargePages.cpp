@@ -15,7 +15,7 @@ namespace walkcycle {
 namespace {
 
 constexpr int kMegabyte = 1 << 20;
-constexpr int kHeapStep = 64 * kMegabyte;  // of addresses: memory comes when it is touched
+constexpr int kFirstStretch = 64 * kMegabyte;  // of addresses: memory comes when it is touched
 constexpr std::uintptr_t kLargePage = 2 * kMegabyte;
 
 std::uintptr_t heapEnd() {
@@ -25,14 +25,14 @@ std::uintptr_t heapEnd() {
 }  // namespace
 
 void useLargePages() {
-    mallopt(M_MMAP_THRESHOLD,
-            32 * kMegabyte);  // the most that glibc takes; larger blocks get pages of their own
-    mallopt(M_TRIM_THRESHOLD, 2 * kHeapStep);
-    mallopt(M_TOP_PAD, kHeapStep);
+    mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // larger blocks get pages of their own; glibc takes no more
+    mallopt(M_TRIM_THRESHOLD, 2 * kFirstStretch);
     mallopt(M_ARENA_MAX, 1);  // the thread that loads gets the same heap
+    mallopt(M_TOP_PAD, kFirstStretch);
     const std::uintptr_t start = (heapEnd() + kLargePage - 1) / kLargePage * kLargePage;
     void* volatile block = std::malloc(kMegabyte);  // makes the heap grow; volatile, or it is left out
     std::free(block);
+    mallopt(M_TOP_PAD, kMegabyte);  // later steps are small, and all are where memory is limited to less
     const std::uintptr_t end = heapEnd() / kLargePage * kLargePage;
     if (end > start) madvise(reinterpret_cast<void*>(start), end - start, MADV_HUGEPAGE);
 }

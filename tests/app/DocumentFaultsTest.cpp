@@ -74,6 +74,15 @@ TEST_F(DocumentFaultsTest, memoryThatRunsOutIsOneLine) {
     EXPECT_EQ(ran.err, "walkcycle: error: there is not enough memory\n");
 }
 
+TEST_F(DocumentFaultsTest, littleMemoryIsEnoughForLittle) {
+#ifdef WALKCYCLE_ADDRESS_SANITIZER
+    GTEST_SKIP() << "the sanitizer needs more";
+#endif
+    const std::string name = file("lift.dae", liftedTriangle());
+    for (const char* limit : {"--data=20971520", "--as=62914560"})
+        EXPECT_EQ(runWalkcycle({"info", name}, "", {}, {"/usr/bin/prlimit", limit}).exitCode, 0) << limit;
+}
+
 TEST_F(DocumentFaultsTest, limitsAreRaisedAndLoweredByName) {
     const std::string name = file("lift.dae", liftedTriangle());
     const Ran few = runWalkcycle({"info", name, "--limit", "elements=20", "--limit=file-bytes=2G"});
