@@ -75,6 +75,9 @@ public:
                                     std::size_t most = SIZE_MAX);
     // False where such a folder is certainly not there.
     bool mayHaveBeside(const XmlNode& from, const std::string& folder) const;
+    // Where a relative path leads on disk, spelt as readBeside() does; empty where that is not a file that may be read, or
+    // not on disk. Says nothing.
+    std::string plainFileBeside(const XmlNode& from, const std::string& path) const;
     // Names of the files (not folders) in a folder relative to the document's; for looking for a picture.
     std::vector<std::string> listBeside(const XmlNode& from, const std::string& folder);
 

@@ -10,6 +10,7 @@
 #include "loaders/Inspection.h"
 #include "loaders/KnownElements.h"
 #include "loaders/MaterialLoader.h"
+#include "loaders/PicturesAhead.h"
 #include "loaders/SceneLoader.h"
 
 namespace walkcycle {
@@ -130,11 +131,13 @@ Model load(const std::string& file, const LoadOptions& options, Open open) {
     Diagnostics diagnostics(options.limits.maxMessages);
     DocumentSet documents(options, diagnostics);
     SourceReader sources(documents, diagnostics);
-    const LoadContext context{options, diagnostics, documents, sources};
+    PicturesAhead ahead;
+    const LoadContext context{options, diagnostics, documents, sources, &ahead};
     Model model;
     model.file = file;
     const XmlNode collada = open(documents).root();
     context.checkCancelled(collada);
+    ahead.begin(collada, documents, options);
     loadModel(collada, context, model);
     model.diagnostics = diagnostics.take();
     return model;

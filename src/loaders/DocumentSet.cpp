@@ -161,6 +161,11 @@ std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::str
     return impl_->surroundings.read(from, full, most);
 }
 
+std::string DocumentSet::plainFileBeside(const XmlNode& from, const std::string& path) const {
+    const fs::path full = fs::path(from.file()).parent_path() / path;
+    return impl_->surroundings.isPlainFile(full) ? full.lexically_normal().string() : std::string();
+}
+
 bool DocumentSet::mayHaveBeside(const XmlNode& from, const std::string& folder) const {
     return impl_->surroundings.mayHave(fs::path(from.file()).parent_path() / folder);
 }

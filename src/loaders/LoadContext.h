@@ -7,12 +7,15 @@
 
 namespace walkcycle {
 
+class PicturesAhead;
+
 // What every loader of one load shares.
 struct LoadContext {
     const LoadOptions& options;
     Diagnostics& diagnostics;
     DocumentSet& documents;
     SourceReader& sources;
+    PicturesAhead* ahead = nullptr;  // where pictures are decoded while meshes are read
 
     // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).
     void require(std::uint64_t amount, std::uint64_t LoadLimits::*limit, const XmlNode& where) const;

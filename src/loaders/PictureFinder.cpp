@@ -7,6 +7,7 @@
 
 #include "io/Uri.h"
 #include "loaders/LimitCheck.h"
+#include "loaders/PicturesAhead.h"
 #include "loaders/Surroundings.h"
 
 namespace walkcycle {
@@ -198,10 +199,11 @@ bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
 }
 
 // Small files can hold large pictures, and a document can name many of them.
-std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const Bytes& bytes) {
+std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const File& file) {
     const LoadLimits& limits = context_.options.limits;
     const auto decoded = context_.options.imagePixels ? decodeImage : measureImage;
-    auto image = std::make_shared<const Image>(decoded(bytes, limits.image()));
+    std::shared_ptr<const Image> image = context_.ahead ? context_.ahead->take(file.path) : nullptr;
+    if (!image) image = std::make_shared<const Image>(decoded(file.bytes, limits.image()));
     const auto pixels = static_cast<std::uint64_t>(std::int64_t{image->width} * image->height);
     if (pixels_ + pixels > limits.maxTotalPixels) throw PicturesTooLarge(pixels_ + pixels);
     pixels_ += pixels;
@@ -219,7 +221,7 @@ PictureFinder::Picture PictureFinder::decode(XmlNode where, const std::string& n
     };
     try {
         if (context_.options.loadImages)
-            image = decodeWithinLimits(file.bytes);
+            image = decodeWithinLimits(file);
         else if (!looksLikePicture(file.bytes, file.path))
             throw ImageError("it does not begin as any kind of picture does");
     } catch (const PicturesTooLarge& error) {

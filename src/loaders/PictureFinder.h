@@ -44,7 +44,7 @@ private:
     std::optional<File> read(XmlNode where, const std::string& path);
     bool mayBeInside(XmlNode where, const std::string& path) const;
     Picture decode(XmlNode where, const std::string& name, File file);
-    std::shared_ptr<const Image> decodeWithinLimits(const Bytes& bytes);
+    std::shared_ptr<const Image> decodeWithinLimits(const File& file);
     void report(Code code, XmlNode where, const std::string& path, Diagnostics::Arguments arguments);
 
     const LoadContext& context_;

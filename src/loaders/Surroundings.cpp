@@ -99,6 +99,11 @@ std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& pat
                             : readFileStart(path.string(), maxBytes, most);
 }
 
+bool Surroundings::isPlainFile(const fs::path& path) const {
+    std::error_code error;
+    return !archive_ && !options_.resolver && root_ && mayOpen(path) && fs::is_regular_file(path, error);
+}
+
 bool Surroundings::mayHave(const fs::path& folder) const {
     std::error_code error;
     return archive_ || options_.resolver || (root_ && fs::is_directory(folder, error));

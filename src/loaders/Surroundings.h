@@ -29,6 +29,8 @@ public:
     // Of a file on disk no more than `most` bytes.
     std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path,
                               std::size_t most = SIZE_MAX) const;
+    // Whether that is a file on disk which read() would open.
+    bool isPlainFile(const std::filesystem::path& path) const;
     // False where a folder is certainly not there, so that nothing need be looked for inside.
     bool mayHave(const std::filesystem::path& folder) const;
     // Names of the files in a folder, sorted. A folder is read once.

@@ -5,6 +5,7 @@
 
 #include "AnimationText.h"
 #include "LoadText.h"
+#include "PaintedText.h"
 #include "TestFiles.h"
 #include "io/Image.h"
 
@@ -75,28 +76,6 @@ Bytes picture(int width) {
     Image image{.width = width, .height = 1, .hasAlpha = false, .rgba = {}};
     image.rgba.assign(static_cast<std::size_t>(width) * 4, 255);
     return encodePng(image);
-}
-
-// A triangle with so many pictures, each 20 pixels wide.
-Bytes painted(int pictures) {
-    std::string images, effects, materials, bindings;
-    for (int i = 0; i < pictures; ++i) {
-        const std::string n = std::to_string(i);
-        images += "<image id='i" + n + "'><init_from>" + n + ".png</init_from></image>";
-        effects += "<effect id='e" + n +
-                   "'><profile_COMMON><technique sid='c'><lambert><diffuse><texture texture='i" + n +
-                   "' texcoord='UV'/></diffuse></lambert></technique></profile_COMMON></effect>";
-        materials += "<material id='m" + n + "'><instance_effect url='#e" + n + "'/></material>";
-        bindings +=
-            "<node><instance_geometry url='#mesh'><bind_material><technique_common><instance_material "
-            "symbol='paint' target='#m" +
-            n + "'/></technique_common></bind_material></instance_geometry></node>";
-    }
-    std::string mesh = triangle();
-    mesh.insert(mesh.find("<triangles") + 10, " material='paint'");
-    return bytesOf(collada("<library_images>" + images + "</library_images><library_effects>" + effects +
-                           "</library_effects><library_materials>" + materials + "</library_materials>" +
-                           mesh + scene(bindings)));
 }
 
 std::optional<Bytes> pictureFor(const std::string&) {
@@ -170,9 +149,9 @@ std::vector<Costly> documents() {
         {"key-numbers", 10, bytesOf(moved(wide)), "sampler[id=anim-sampler]"},
         {"key-frames", 7, bytesOf(moved(zigzag)), "COLLADA"},
         {"documents", 5, bytesOf(collada(scene(others))), "instance_node", anotherDocument},
-        {"image-dimension", 20, painted(1), "image[id=i0]/init_from", pictureFor, "WC0803"},
-        {"image-pixels", 20, painted(1), "image[id=i0]/init_from", pictureFor, "WC0803"},
-        {"total-pixels", 60, painted(3), "image[id=i2]/init_from", pictureFor, "WC0803"},
+        {"image-dimension", 20, bytesOf(withPictures(1)), "image[id=i0]/init_from", pictureFor, "WC0803"},
+        {"image-pixels", 20, bytesOf(withPictures(1)), "image[id=i0]/init_from", pictureFor, "WC0803"},
+        {"total-pixels", 60, bytesOf(withPictures(3)), "image[id=i2]/init_from", pictureFor, "WC0803"},
         {"archive-bytes", kDrawn.size() + 5, zipOf({{"a.dae", kDrawn}, {"b.png", "bytes"}}), ""},
         {"archive-bytes", kDrawn.size(), gzipOf(kDrawn), ""},
         {"archive-entries", 3, zipOf({{"a.dae", kDrawn}, {"b.png", ""}, {"c.png", ""}}), ""},

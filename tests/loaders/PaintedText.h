@@ -52,4 +52,26 @@ struct PaintedText {
     }
 };
 
+// A triangle shown with so many pictures one after the other: 0.png, 1.png ...
+inline std::string withPictures(int count) {
+    std::string images, effects, materials, bindings;
+    for (int i = 0; i < count; ++i) {
+        const std::string n = std::to_string(i);
+        images += "<image id='i" + n + "'><init_from>" + n + ".png</init_from></image>";
+        effects += "<effect id='e" + n +
+                   "'><profile_COMMON><technique sid='c'><lambert><diffuse><texture texture='i" + n +
+                   "' texcoord='UV'/></diffuse></lambert></technique></profile_COMMON></effect>";
+        materials += "<material id='m" + n + "'><instance_effect url='#e" + n + "'/></material>";
+        bindings +=
+            "<node><instance_geometry url='#mesh'><bind_material><technique_common><instance_material "
+            "symbol='paint' target='#m" +
+            n + "'/></technique_common></bind_material></instance_geometry></node>";
+    }
+    std::string mesh = triangle();
+    mesh.insert(mesh.find("<triangles") + 10, " material='paint'");
+    return collada("<library_images>" + images + "</library_images><library_effects>" + effects +
+                   "</library_effects><library_materials>" + materials + "</library_materials>" + mesh +
+                   scene(bindings));
+}
+
 }  // namespace walkcycle
