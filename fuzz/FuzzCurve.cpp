@@ -81,12 +81,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<double> knots;
     curve.knots(std::min(start, elsewhere), std::max(end, elsewhere), 1000, knots);
     REQUIRE(knots.size() <= 1000);
+    std::size_t place = 0;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         if (knots[i + 1] <= knots[i]) continue;
         checkAt(curve, 0.5 * (knots[i] + knots[i + 1]));
         curve.holds(knots[i], knots[i + 1]);
         for (std::size_t k = 0; k < curve.width; ++k)
-            REQUIRE(!(curve.travel(knots[i], knots[i + 1], k) < 0.0));
+            REQUIRE(!(curve.travel(knots[i], knots[i + 1], k, place) < 0.0));
     }
     return 0;
 }
