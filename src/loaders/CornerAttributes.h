@@ -50,6 +50,7 @@ private:
         std::size_t count, stride;
         BadIndices bad;
     };
+    static void copyFew(const float* from, std::size_t count, float* to);
     std::size_t targetOf(int set) const;
     void addStream(const CornerInput& input, const char* semantic, std::size_t target, std::size_t width);
 
@@ -60,5 +61,29 @@ private:
     std::vector<Stream> streams_;
     bool isWhole_ = true;
 };
+
+// One to four numbers, without the call that a copy of unknown length is.
+inline void CornerAttributes::copyFew(const float* from, std::size_t count, float* to) {
+    to[0] = from[0];
+    if (count > 1) to[1] = from[1];
+    if (count > 2) to[2] = from[2];
+    if (count > 3) to[3] = from[3];
+}
+
+// Here, since it is called for every corner of a mesh.
+inline float* CornerAttributes::read(std::size_t corner) {
+    const std::int32_t* indices = primitive_->corner(corner);
+    isWhole_ = true;
+    values_[0] = values_[1] = values_[2] = 0.0f;  // the caller may have put a normal in for the last corner
+    for (Stream& stream : streams_) {
+        const std::int32_t index = indices[stream.input->offset];
+        const bool there = index >= 0 && static_cast<std::size_t>(index) < stream.count;
+        if (!there) stream.bad.add(corner, index), isWhole_ = false;
+        const float* from = there ? stream.values + static_cast<std::size_t>(index) * stream.stride
+                                  : missing_.data() + stream.target;
+        copyFew(from, stream.width, values_.data() + stream.target);
+    }
+    return values_.data();
+}
 
 }  // namespace walkcycle

@@ -10,10 +10,11 @@ namespace {
 
 template <typename Binding>
 std::vector<double> knotsOf(const std::vector<Binding>& bindings, double from, double to, std::size_t limit) {
-    std::vector<double> all{from, to};
+    std::vector<double> all{from};
     for (const Binding& binding : bindings)
-        binding.curve->knots(from, to, limit - std::min(limit, all.size()), all);
-    std::sort(all.begin(), all.end());
+        binding.curve->knots(from, to, limit - std::min(limit, all.size() + 1), all);
+    all.push_back(to);
+    if (!std::is_sorted(all.begin(), all.end())) std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
 }

@@ -6,8 +6,6 @@
 namespace walkcycle {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 // The bits of a number; adding zero makes -0 the 0 that it equals.
 std::uint64_t bitsOf(float number) {
     return std::bit_cast<std::uint32_t>(number + 0.0f);
@@ -35,27 +33,6 @@ VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedPosit
     positions_.reserve(vertices);
     nextAt_.reserve(vertices);
     attributes_.reserve(vertices * attributeCount);
-}
-
-std::uint32_t VertexJoiner::add(std::uint32_t position, const float* attributes) {
-    constexpr int kLongestChain = 16;  // a fan of hard edges; no honest position has many more vertices
-    if (position >= firstAt_.size())
-        firstAt_.resize(std::max<std::size_t>(position + 1, 2 * firstAt_.size()), kNone);
-    std::uint32_t vertex = firstAt_[position], last = kNone;
-    for (int i = 0; vertex != kNone; last = vertex, vertex = nextAt_[vertex], ++i) {
-        if (i == kLongestChain) return addToTable(position, attributes);
-        if (looksLike(vertex, attributes)) return vertex;
-    }
-    vertex = append(position, attributes);
-    (last == kNone ? firstAt_[position] : nextAt_[last]) = vertex;
-    return vertex;
-}
-
-bool VertexJoiner::looksLike(std::uint32_t vertex, const float* wanted) const {
-    const float* own = attributes(vertex);
-    for (std::size_t i = 0; i < attributeCount_; ++i)
-        if (own[i] != wanted[i]) return false;
-    return true;
 }
 
 std::uint32_t VertexJoiner::append(std::uint32_t position, const float* attributes) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +24,7 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     struct Crowded {
         std::uint32_t vertex, hash;
     };
@@ -39,5 +42,27 @@ private:
     std::vector<Crowded> crowded_;
     std::vector<std::uint32_t> table_;
 };
+
+// Here, since they are called for every corner of a mesh.
+inline bool VertexJoiner::looksLike(std::uint32_t vertex, const float* wanted) const {
+    const float* own = attributes(vertex);
+    for (std::size_t i = 0; i < attributeCount_; ++i)
+        if (own[i] != wanted[i]) return false;
+    return true;
+}
+
+inline std::uint32_t VertexJoiner::add(std::uint32_t position, const float* attributes) {
+    constexpr int kLongestChain = 16;  // a fan of hard edges; no honest position has many more vertices
+    if (position >= firstAt_.size())
+        firstAt_.resize(std::max<std::size_t>(position + 1, 2 * firstAt_.size()), kNone);
+    std::uint32_t vertex = firstAt_[position], last = kNone;
+    for (int i = 0; vertex != kNone; last = vertex, vertex = nextAt_[vertex], ++i) {
+        if (i == kLongestChain) return addToTable(position, attributes);
+        if (looksLike(vertex, attributes)) return vertex;
+    }
+    vertex = append(position, attributes);
+    (last == kNone ? firstAt_[position] : nextAt_[last]) = vertex;
+    return vertex;
+}
 
 }  // namespace walkcycle

@@ -173,7 +173,8 @@ std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, 
     for (const std::int32_t count : counts) {
         if (usable.size() == positionCount) break;
         const auto wanted = static_cast<std::size_t>(std::max(0, count));
-        context.require(wanted, &LoadLimits::maxInfluencesPerVertex, element);
+        if (wanted > context.options.limits.maxInfluencesPerVertex)
+            context.require(wanted, &LoadLimits::maxInfluencesPerVertex, element);
         if (count < 0 || wanted > groups - used) {
             context.diagnostics.report(
                 Code::CountMismatch, element,
