@@ -61,7 +61,9 @@ void load(State& state, const std::string& file, const Importer& importer) {
 void registerAll(const std::string& file) {
     const std::string name = file.substr(file.rfind('/') + 1) + "/";
     const auto add = [&](const char* what, auto run) {
-        benchmark::RegisterBenchmark((name + what).c_str(), run)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+        benchmark::RegisterBenchmark((name + what).c_str(), run)
+            ->Unit(benchmark::kMillisecond)
+            ->MeasureProcessCPUTime();
     };
     add("read", [=](State& state) { read(state, file); });
     add("tinyxml2", [=](State& state) { parseXml(state, file); });

@@ -15,7 +15,8 @@ Sheet::Sheet(std::pair<int, int> size, std::pair<int, int> columnsAndRows)
         throw UsageError("--sheet: more cells than the picture has pixels");
     image_.width = size.first;
     image_.height = size.second;
-    image_.rgba.resize(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height) * 4, 0);
+    image_.rgba.resize(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height) * 4,
+                       0);
 }
 
 void Sheet::place(std::size_t cell, const Image& picture) {

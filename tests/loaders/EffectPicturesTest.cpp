@@ -93,8 +93,7 @@ TEST(EffectPicturesTest, aParameterMaySayOtherThingsBeforeItsValueOrHaveNone) {
 TEST(EffectPicturesTest, theChosenPictureGoesWhereDiffusePicturesAreOrOnEverything) {
     const TestFolder folder;
     LoadOptions options;
-    const Bytes png =
-        encodePng({.width = 1, .height = 1, .hasAlpha = false, .rgba = {7, 7, 7, 255}});
+    const Bytes png = encodePng({.width = 1, .height = 1, .hasAlpha = false, .rgba = {7, 7, 7, 255}});
     options.texture = folder.write("mine.png", std::string(png.begin(), png.end()));
     const PaintedText colour{.shader = "<diffuse><color>1 0 0 1</color></diffuse>"};
     const Model all = loadText(colour.text(), options);
