@@ -118,19 +118,21 @@ void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& an
         context_.checkCancelled(collada_);
         const std::size_t same = whole ? alike(joint, motion_.joints) : motion_.joints.size();
         isOfWhole = isOfWhole && same < motion_.joints.size();
+        const std::vector<double> knots = joint.knots(start, end, limit);
         if (same < motion_.joints.size())
             animation.channels.push_back(cut(whole->channels[same], start, end));
         else
             animation.channels.push_back(
-                fitChannel(joint, start, end, reach_.tolerance(joint.joint, share_), limit, spare_));
+                fitChannel(joint, knots, reach_.tolerance(joint.joint, share_), limit, spare_));
         const Channel& made = animation.channels.back();
-        spend(made.keyFrames.size() + made.matrixKeyFrames.size(), joint.knots(start, end, limit).size());
+        spend(made.keyFrames.size() + made.matrixKeyFrames.size(), knots.size());
     }
     for (const ParameterMotion& moving : motion.parameters) {
         const Parameter& parameter = model_.parameters[static_cast<std::size_t>(moving.parameter)];
         const Tolerance tolerance = reach_.tolerance(parameter, model_, context_.options.tolerance);
-        animation.parameterTracks.push_back(fitTrack(moving, start, end, tolerance, limit, spare_));
-        spend(animation.parameterTracks.back().keyFrames.size(), moving.knots(start, end, limit).size());
+        const std::vector<double> knots = moving.knots(start, end, limit);
+        animation.parameterTracks.push_back(fitTrack(moving, knots, tolerance, limit, spare_));
+        spend(animation.parameterTracks.back().keyFrames.size(), knots.size());
     }
     animation.achievedError =
         isOfWhole ? whole->achievedError : static_cast<float>(reach_.measure(model_, motion, animation));

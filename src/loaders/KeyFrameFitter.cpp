@@ -207,9 +207,8 @@ std::size_t mostKeys(std::size_t knots, std::size_t spare, std::size_t limit) {
 
 }  // namespace
 
-Channel fitChannel(const JointMotion& motion, double from, double to, const Tolerance& tolerance,
+Channel fitChannel(const JointMotion& motion, const std::vector<double>& times, const Tolerance& tolerance,
                    std::size_t limit, std::size_t spare) {
-    const std::vector<double> times = motion.knots(from, to, limit);
     const bool allKnots = isAll(motion, limit);
     limit = mostKeys(times.size(), spare, limit);
     const std::vector<double> degrees = motion.degreesTurned(times);
@@ -243,13 +242,12 @@ Channel fitChannel(const JointMotion& motion, double from, double to, const Tole
     return transform.fits() ? straight : fitMatrices(motion, runs, tolerance, limit);
 }
 
-ParameterTrack fitTrack(const ParameterMotion& motion, double from, double to, const Tolerance& tolerance,
-                        std::size_t limit, std::size_t spare) {
+ParameterTrack fitTrack(const ParameterMotion& motion, const std::vector<double>& knots,
+                        const Tolerance& tolerance, std::size_t limit, std::size_t spare) {
     const auto exact = [&](double seconds, Side side) { return motion.value(seconds, side); };
     const auto jumps = [&](double t) {
         return distance(exact(t, Side::Left), exact(t, Side::Right), tolerance) > 0.01 * tolerance.budget;
     };
-    const std::vector<double> knots = motion.knots(from, to, limit);
     limit = mostKeys(knots.size(), spare, limit);
     const std::vector<Run> runs = runsOf(motion, knots, jumps);
     ParameterTrack straight{.parameter = motion.parameter};
