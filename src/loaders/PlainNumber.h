@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace walkcycle {
 
@@ -129,7 +130,7 @@ inline double withSign(double value, std::uint64_t isNegative) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | isNegative << 63);
 }
 
-// The same with an exponent. False where the power is too large.
+// The same with an exponent. False where the power is too large, or the number may be for a float.
 inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, double& value) {
     const std::ptrdiff_t power =
         digits.number == 0 ? 0 : exponent - static_cast<std::ptrdiff_t>(digits.behindPoint);
@@ -137,7 +138,7 @@ inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, dou
     if (power < -kMostPower || power > kMostPower) return false;
     value = power < 0 ? overPower(digits.number, -power)
                       : overPower(digits.number, 0) * kPowers[static_cast<std::size_t>(power)];
-    return true;
+    return value < std::numeric_limits<float>::max();
 }
 
 inline constexpr std::uint64_t kExactInDouble = std::uint64_t{1} << 53;

@@ -76,6 +76,22 @@ TEST(NumberParserTest, whatIsNotFiniteOrTooLargeIsAFault) {
     EXPECT_TRUE(isNumber("3.4e38"));
 }
 
+// The quick way multiplies up to eighteen digits by up to 1e22.
+TEST(NumberParserTest, aListHoldsNothingThatNoFloatHolds) {
+    const std::string text =
+        "666683646333333213e22 -999999999999999999e21 340282346638528859e21 9007199254740991e22 7";
+    std::vector<float> floats;
+    std::vector<double> doubles;
+    std::vector<NumberFault> faults;
+    parseNumbers(text, floats, faults);
+    EXPECT_THAT(floats, ElementsAre(0.0f, 0.0f, 3.40282346638528859e38f, 9007199254740991e22f, 7.0f));
+    parseNumbers(text, doubles, faults);
+    EXPECT_THAT(doubles, ElementsAre(0.0, 0.0, 3.40282346638528859e38, 9007199254740991e22, 7.0));
+    ASSERT_THAT(faults, SizeIs(4));
+    for (const NumberFault& fault : faults)
+        EXPECT_THAT(fault.token, testing::EndsWith(fault.index == 0 ? "e22" : "e21"));
+}
+
 // What from_chars says of a word; nothing where it is no number, too large, or too small for a float.
 template <typename T>
 std::optional<T> judged(std::string_view word) {
