@@ -19,6 +19,9 @@ std::string uriOf(XmlNode image) {
     return ref ? ref.text() : init.text();
 }
 
+// Each holds one picture more than the limit of all together, which is counted when a picture is there.
+constexpr std::size_t kMostThreads = 3;
+
 }  // namespace
 
 PicturesAhead::~PicturesAhead() {
@@ -33,7 +36,7 @@ void PicturesAhead::begin(XmlNode collada, const DocumentSet& documents, const L
     const unsigned processors = std::thread::hardware_concurrency();
     if (!options.loadImages || !options.imagePixels || !options.texture.empty() || processors < 2) return;
     collect(collada, documents, options);
-    const std::size_t threads = std::min<std::size_t>(items_.size(), processors - 1);
+    const std::size_t threads = std::min<std::size_t>({items_.size(), processors - 1, kMostThreads});
     threads_.reserve(threads);
     try {
         while (threads_.size() < threads)
