@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -26,7 +27,10 @@ struct Backdrop {
     std::optional<glm::vec3> color;  // as the target takes it; none: the gradient
     std::optional<Grid> grid;
 
-    std::string defines() const;                    // for backdrop.glsl
+    // Which of the programs of backdrop.glsl draws it: a number below kVariants, and what makes that one.
+    static constexpr std::size_t kVariants = 8;
+    std::size_t variant() const;
+    std::string defines() const;
     void load(const ShaderProgram& program) const;  // which must be started
 };
 

@@ -70,11 +70,11 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
         *target.underlay = backdrop;
         return;
     }
-    const std::string defines = backdrop.defines();
-    const Program& found = programs_.try_emplace(defines, defines).first->second;
-    found.program.start();
-    backdrop.load(found.program);
-    found.noInputs.bind();
+    std::optional<Program>& found = programs_[backdrop.variant()];
+    if (!found) found.emplace(backdrop.defines());
+    found->program.start();
+    backdrop.load(found->program);
+    found->noInputs.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <map>
+#include <array>
+#include <optional>
 #include <string>
 
 #include "model/CpuSkinning.h"
+#include "render/Backdrop.h"
 #include "render/Camera.h"
 #include "render/RenderOptions.h"
 #include "render/RenderTarget.h"
@@ -33,7 +35,7 @@ private:
         ShaderProgram program;
         Vao noInputs;
     };
-    std::map<std::string, Program> programs_;  // of each backdrop's defines, made when first needed
+    std::array<std::optional<Program>, Backdrop::kVariants> programs_;  // made when first needed
 };
 
 }  // namespace walkcycle

@@ -93,15 +93,15 @@ Framebuffer::Resolver::Resolver(int width, int height)
 }
 
 const ShaderProgram& Framebuffer::Resolver::program(int samples) {
-    std::string defines = "#define SAMPLES " + std::to_string(samples) + "\n";
-    if (underlay) defines += underlay->defines() + "#define BACKDROP\n";
-    const auto found = programs.find(defines);
-    if (found != programs.end()) return found->second;
-    const auto make = [&](const ShaderProgram::Stages& stages) -> const ShaderProgram& {
-        return programs.try_emplace(defines, stages, defines).first->second;
-    };
-    return underlay ? make({{"backgroundVertex"}, {"backdrop", "resolveFragment"}})
-                    : make({{"backgroundVertex"}, {"resolveFragment"}});
+    std::optional<ShaderProgram>& found = programs[underlay ? underlay->variant() : Backdrop::kVariants];
+    if (found) return *found;
+    const std::string defines = "#define SAMPLES " + std::to_string(samples) + "\n";
+    if (underlay)
+        found.emplace(ShaderProgram({{"backgroundVertex"}, {"backdrop", "resolveFragment"}},
+                                    defines + underlay->defines() + "#define BACKDROP\n"));
+    else
+        found.emplace(ShaderProgram({{"backgroundVertex"}, {"resolveFragment"}}, defines));
+    return *found;
 }
 
 Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newFramebuffer()) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <map>
+#include <array>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "io/Image.h"
 #include "render/GlObject.h"
@@ -53,7 +52,8 @@ private:
         Renderbuffer color;
         Vao noInputs;
         std::optional<Backdrop> underlay;
-        std::map<std::string, ShaderProgram> programs;  // of their defines, made when first needed
+        // Of each variant, and last the one without an underlay; made when first needed.
+        std::array<std::optional<ShaderProgram>, Backdrop::kVariants + 1> programs;
     };
 
     GlObject<gl::deleteFramebuffer> framebuffer_;
