@@ -6,18 +6,28 @@
 
 namespace walkcycle {
 
-// Where a joint stands relative to its parent joint: first scaled, then turned, then moved.
+// Where a joint stands relative to its parent joint: first scaled, then rotated, then moved.
 // (The series' JointTransform, completed by scale.)
-struct JointTransform {
-    glm::vec3 position{0.0f};                    // in the parent's space and units
-    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  // w, x, y, z; of unit length
-    glm::vec3 scale{1.0f};
+template <typename Number>
+struct BasicJointTransform {
+    glm::vec<3, Number> position{Number(0)};                                // in the parent's space and units
+    glm::qua<Number> rotation{Number(1), Number(0), Number(0), Number(0)};  // w, x, y, z; of unit length
+    glm::vec<3, Number> scale{Number(1)};
 
-    glm::mat4 toMatrix() const;
+    glm::mat<4, 4, Number> toMatrix() const;
 
     // The transform at `progression` (0 gives a, 1 gives b) of the way from a to b: positions and scales on a
     // straight line, rotations the short way round at constant speed.
-    static JointTransform interpolate(const JointTransform& a, const JointTransform& b, float progression);
+    static BasicJointTransform interpolate(const BasicJointTransform& a, const BasicJointTransform& b,
+                                           Number progression);
+
+    template <typename Other>
+    explicit operator BasicJointTransform<Other>() const {
+        return {glm::vec<3, Other>(position), glm::qua<Other>(rotation), glm::vec<3, Other>(scale)};
+    }
 };
+
+using JointTransform = BasicJointTransform<float>;   // of keys and poses
+using ExactTransform = BasicJointTransform<double>;  // of a file's curves, on their way to keys
 
 }  // namespace walkcycle

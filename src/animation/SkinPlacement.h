@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "animation/Joint.h"
+
+namespace walkcycle {
+
+// What the skin's node adds to the joints' own transforms, of a Skin that its node places (see Skin::placedBy):
+// modelTransform(placedBy) * inverse(modelTransform(placedRelativeTo)), in float or double as modelTransform() gives them.
+template <typename Skin, typename ModelTransform>
+auto skinPlacement(const Skin& skin, ModelTransform modelTransform) {
+    using Matrix = decltype(modelTransform(skin.placedBy));
+    const Matrix meetingPoint = skin.placedRelativeTo == kNoParent ? Matrix(skin.placedInRoot)
+                                                                   : modelTransform(skin.placedRelativeTo);
+    // An ancestor scaled to nothing leaves nothing to see, and has no inverse.
+    if (!std::isnormal(glm::determinant(meetingPoint))) return Matrix(1);
+    return modelTransform(skin.placedBy) * glm::inverse(meetingPoint);
+}
+
+}  // namespace walkcycle
