@@ -54,29 +54,6 @@ auto sampleKeys(const std::vector<Key>& keys, double seconds) {
     return blend(valueOf(keys[at.from]), valueOf(keys[at.to]), at.progression);
 }
 
-// How much of a start, its tangent, an end and its tangent make the cubic between them.
-struct CubicShares {
-    explicit CubicShares(const Between& at) {
-        const float s = at.progression, s2 = s * s, s3 = s2 * s;
-        end = 3.0f * s2 - 2.0f * s3;
-        start = 1.0f - end;
-        leaving = (s3 - 2.0f * s2 + s) * at.seconds;
-        arriving = (s3 - s2) * at.seconds;
-    }
-    template <class T>
-    T of(const T& a, const T& out, const T& b, const T& in) const {
-        return a * start + out * leaving + b * end + in * arriving;
-    }
-    float start, leaving, end, arriving;
-};
-
-JointTransform curved(const JointTransform& a, const KeyTangents::Rates& out, const JointTransform& b,
-                      const KeyTangents::Rates& in, const CubicShares& shares) {
-    return {shares.of(a.position, out.position, b.position, in.position),
-            glm::normalize(shares.of(a.rotation, out.rotation, b.rotation, in.rotation)),
-            shares.of(a.scale, out.scale, b.scale, in.scale)};
-}
-
 }  // namespace
 
 JointTransform sample(const Channel& channel, double seconds) {
@@ -84,8 +61,8 @@ JointTransform sample(const Channel& channel, double seconds) {
     if (channel.tangents.empty()) return sampleKeys(keys, seconds);
     const Between at = keysAround(keys, seconds);
     if (at.from == at.to) return keys[at.from].transform;
-    return curved(keys[at.from].transform, channel.tangents[at.from].out, keys[at.to].transform,
-                  channel.tangents[at.to].in, CubicShares(at));
+    return curvedTransform(keys[at.from].transform, channel.tangents[at.from].out, keys[at.to].transform,
+                           channel.tangents[at.to].in, Hermite(at.progression, at.seconds));
 }
 
 glm::mat4 sampleMatrix(const Channel& channel, double seconds) {
@@ -97,8 +74,8 @@ float sample(const ParameterTrack& track, double seconds) {
     if (track.tangents.empty()) return sampleKeys(keys, seconds);
     const Between at = keysAround(keys, seconds);
     if (at.from == at.to) return keys[at.from].value;
-    return CubicShares(at).of(keys[at.from].value, track.tangents[at.from].out, keys[at.to].value,
-                              track.tangents[at.to].in);
+    return Hermite(at.progression, at.seconds)
+        .value(keys[at.from].value, track.tangents[at.from].out, keys[at.to].value, track.tangents[at.to].in);
 }
 
 void sample(const Animation& animation, double seconds, Pose& pose, std::span<float> parameters) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "animation/CurvedTransform.h"
 #include "animation/KeyFrame.h"
 #include "animation/Pose.h"
 
@@ -11,11 +12,7 @@ namespace walkcycle {
 
 // How the curve of a key's numbers comes and goes: change per second on either side of it.
 struct KeyTangents {
-    struct Rates {
-        glm::vec3 position{0.0f};
-        glm::quat rotation{0.0f, 0.0f, 0.0f, 0.0f};
-        glm::vec3 scale{0.0f};
-    };
+    using Rates = TransformRates<float>;
     Rates in, out;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -11,9 +12,9 @@ namespace walkcycle {
 
 // What the skin's node adds to the joints' own transforms, of a Skin that its node places (see Skin::placedBy):
 // modelTransform(placedBy) * inverse(modelTransform(placedRelativeTo)), in float or double as modelTransform() gives them.
-template <typename Skin, typename ModelTransform>
-auto skinPlacement(const Skin& skin, ModelTransform modelTransform) {
-    using Matrix = decltype(modelTransform(skin.placedBy));
+template <typename Placed, typename ModelTransform>
+auto skinPlacement(const Placed& skin, ModelTransform modelTransform) {
+    using Matrix = std::remove_cvref_t<decltype(modelTransform(skin.placedBy))>;
     const Matrix meetingPoint = skin.placedRelativeTo == kNoParent ? Matrix(skin.placedInRoot)
                                                                    : modelTransform(skin.placedRelativeTo);
     // An ancestor scaled to nothing leaves nothing to see, and has no inverse.
