@@ -21,12 +21,16 @@ constexpr std::array kProfiles = {
     Row{Profile::ThinMatrix, "thinmatrix", checkThinMatrix},
 };
 
+constexpr auto kNames = [] {
+    std::array<std::string_view, kProfiles.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kProfiles[i].name;
+    return names;
+}();
+
 }  // namespace
 
-std::vector<std::string> profileNames() {
-    std::vector<std::string> names;
-    for (const Row& row : kProfiles) names.emplace_back(row.name);
-    return names;
+std::span<const std::string_view> profileNames() {
+    return kNames;
 }
 
 std::optional<Profile> profileNamed(std::string_view name) {

@@ -1,20 +1,20 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <span>
 #include <string_view>
-#include <vector>
-
-#include "loaders/Inspection.h"
 
 namespace walkcycle {
+
+struct Inspection;
 
 // A program or format that a document is checked for. Each has rules: what its importer skips, rejects or
 // misreads. A new one is a file of rules and a row of the table in Profile.cpp.
 enum class Profile { Gltf, Gazebo, SecondLife, ThinMatrix };
 
-// Their names on the command line: "gltf", "gazebo", ...
-std::vector<std::string> profileNames();
+// Their names, in the order of the enum: "gltf", "gazebo", "secondlife", "thinmatrix".
+std::span<const std::string_view> profileNames();
+// The profile of that name; nothing if there is none.
 std::optional<Profile> profileNamed(std::string_view name);
 
 // Checks a document against the rules of one profile, and reports each breach as WC10xx. Call it from
