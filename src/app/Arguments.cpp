@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/Joined.h"
+
 namespace walkcycle {
 
 void Arguments::positional(const std::string& name, const std::string& help, std::string& target, Need need) {
@@ -37,7 +39,8 @@ void Arguments::eachOption(const std::string& names, const std::string& value, c
 
 void Arguments::options(const std::string& names, const std::string& value, const std::string& help,
                         std::vector<std::string>& target) {
-    // Without allow_extra_args(false), one --anim would swallow the positional FILE after its own.
+    // Without allow_extra_args(false), --anim would take the positional FILE that follows its value as a
+    // second value.
     app_.add_option(names, target, help)
         ->option_text(value)
         ->allow_extra_args(false)
@@ -47,9 +50,15 @@ void Arguments::options(const std::string& names, const std::string& value, cons
 
 void Arguments::choice(const std::string& names, const std::vector<std::string>& choices,
                        const std::string& help, std::string& target) {
-    std::string all;
-    for (const std::string& choice : choices) all += (all.empty() ? "" : "|") + choice;
-    app_.add_option(names, target, help)->option_text(all)->check(CLI::IsMember(choices))->group(group_);
+    checkedOption(names, choices, help, [&target](const std::string& word) { target = word; });
+}
+
+void Arguments::checkedOption(const std::string& names, const std::vector<std::string>& choices,
+                              const std::string& help, const std::function<void(const std::string&)>& set) {
+    app_.add_option_function<std::string>(names, set, help)
+        ->option_text(joined(choices, "|"))
+        ->check(CLI::IsMember(choices))
+        ->group(group_);
 }
 
 void Arguments::flag(const std::string& names, const std::string& help, bool& target) {

@@ -5,7 +5,7 @@
 namespace walkcycle {
 namespace {
 
-// Which joint of the model goes by each name; ids before names before sids.
+// The joint for each id, name and sid. If two joints claim a word, ids win over names, and names over sids.
 std::unordered_map<std::string, int> jointsByName(const Skeleton& skeleton) {
     std::unordered_map<std::string, int> joints;
     for (const std::string Joint::*name : {&Joint::id, &Joint::name, &Joint::sid})
@@ -41,7 +41,7 @@ std::vector<Animation> borrowClips(const Model& source, const Model& model) {
     for (const Animation& clip : source.animations) {
         Animation borrowed = clip;
         borrowed.channels.clear();
-        borrowed.parameterTracks.clear();  // weights, lights and cameras are each file's own
+        borrowed.parameterTracks.clear();  // numbers of this file's morphs, lights and cameras
         for (const Channel& channel : clip.channels) {
             const int joint =
                 counterpart(source.skeleton.joints[static_cast<std::size_t>(channel.joint)], joints);

@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// The clips of `source` as they move the joints of `model` that go by the same id, name or sid; what has no
-// counterpart is left out. Distances are turned into the model's unit. Empty where no joint is shared.
+// The clips of `source`, made to move the joints of `model` that have the same id, name or sid. Channels of
+// other joints are left out. Distances are converted to the model's unit. Empty if the two share no joint.
 std::vector<Animation> borrowClips(const Model& source, const Model& model);
 
 }  // namespace walkcycle

@@ -19,7 +19,7 @@ std::string builtInModel() {
     };
     for (const fs::path& place : places)
         if (fs::is_regular_file(place / "walker.dae", error)) return (place / "walker.dae").string();
-    throw UsageError("the built-in character walker.dae is not there; name a file");
+    throw UsageError("the built-in character walker.dae cannot be found; name a file");
 }
 
 }  // namespace walkcycle

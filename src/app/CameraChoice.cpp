@@ -25,7 +25,7 @@ std::optional<CameraPreset> presetNamed(const std::string& name) {
     return std::nullopt;
 }
 
-// By the node that holds it first, then by the camera's own id or name.
+// The camera with this name. Ids and names of the nodes that hold cameras come before the cameras' own.
 const CameraInstance* instanceNamed(const Model& model, const std::string& name) {
     const auto joint = [&](const CameraInstance& i) -> const Joint& {
         return model.skeleton.joints[static_cast<std::size_t>(i.node)];
@@ -55,8 +55,8 @@ std::string listCameras(const Model& model) {
     return list;
 }
 
-glm::vec3 turned(const glm::vec3& v, float turn) {  // round the vertical
-    const float c = std::cos(turn), s = std::sin(turn);
+glm::vec3 rotatedAboutY(const glm::vec3& v, float radians) {
+    const float c = std::cos(radians), s = std::sin(radians);
     return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
 }
 
@@ -65,40 +65,40 @@ glm::vec3 turned(const glm::vec3& v, float turn) {  // round the vertical
 void CameraChoice::declare(Arguments& arguments) {
     arguments.group("Camera");
     arguments.option("--camera", "NAME",
-                     "A camera of the file (its node's id or name, or its own), or front|side|top|iso|auto",
+                     "A camera of the file, by its or its node's id or name, or front|side|top|iso|auto",
                      name_);
     const auto vector = [&](const std::string& option, const std::string& help,
                             std::optional<glm::vec3>& target) {
         arguments.option(option, "X,Y,Z", help,
                          [&target, option](const std::string& text) { target = parseVector(text, option); });
     };
-    vector("--camera-position", "Where it stands, in metres, Y up", position_);
-    vector("--camera-focal-point", "What it looks at (the middle of the model)", focalPoint_);
-    vector("--camera-view-up", "What is up in the picture (0,1,0)", up_);
-    arguments.option("--camera-view-angle", "DEG", "The vertical field of view (30)",
-                     [this](const std::string& text) {
-                         angle_ = static_cast<float>(parseNumber(text, "--camera-view-angle"));
-                         if (!(*angle_ > 0.0f && *angle_ < 180.0f))
-                             throw UsageError("--camera-view-angle: over 0 and under 180 degrees");
-                     });
+    vector("--camera-position", "Where the camera stands, in metres, Y up", position_);
+    vector("--camera-focal-point", "The point that it looks at (the middle of the model)", focalPoint_);
+    vector("--camera-view-up", "The direction that is up in the picture (0,1,0)", up_);
+    arguments.option(
+        "--camera-view-angle", "DEG", "The vertical field of view (30)", [this](const std::string& text) {
+            angle_ = static_cast<float>(parseNumber(text, "--camera-view-angle"));
+            if (!(*angle_ > 0.0f && *angle_ < 180.0f))
+                throw UsageError("--camera-view-angle: '" + text + "' is not over 0 and under 180 degrees");
+        });
 }
 
 void CameraChoice::check(const Model& model) const {
     if (name_.empty() || instanceNamed(model, name_) || presetNamed(name_)) return;
-    throw UsageError("--camera: there is no camera '" + name_ + "'; there are " + listCameras(model));
+    throw UsageError("--camera: there is no camera '" + name_ + "'; the cameras are " + listCameras(model));
 }
 
-Camera CameraChoice::ownCamera(const AnimatedModel& model, float aspect, float turn) const {
+Camera CameraChoice::placedCamera(const AnimatedModel& model, float aspect, float orbitRadians) const {
     const Bounds& bounds = model.bounds();
     const glm::vec3 middle = bounds.empty() ? glm::vec3(0.0f) : bounds.center();
     const glm::vec3 focalPoint = focalPoint_.value_or(middle);
     const glm::vec3 position = position_.value_or(Camera::framing(bounds, aspect).position());
-    return Camera::lookAt(focalPoint + turned(position - focalPoint, turn), focalPoint,
+    return Camera::lookAt(focalPoint + rotatedAboutY(position - focalPoint, orbitRadians), focalPoint,
                           up_.value_or(glm::vec3(0, 1, 0)), angle_.value_or(kDefaultAngle), aspect, bounds);
 }
 
-Camera CameraChoice::camera(const AnimatedModel& model, float aspect, float turn) const {
-    if (hasPosition()) return ownCamera(model, aspect, turn);
+Camera CameraChoice::camera(const AnimatedModel& model, float aspect, float orbitRadians) const {
+    if (isPlaced()) return placedCamera(model, aspect, orbitRadians);
     const Model& data = model.model();
     if (const CameraInstance* instance = name_.empty() ? nullptr : instanceNamed(data, name_)) {
         const SceneCamera& lens = model.scene().cameras[static_cast<std::size_t>(instance->camera)];
@@ -107,8 +107,9 @@ Camera CameraChoice::camera(const AnimatedModel& model, float aspect, float turn
     }
     const CameraPreset preset = presetNamed(name_).value_or(CameraPreset::Auto);
     const Camera still = Camera::framing(model.bounds(), aspect, preset);
-    return turn == 0.0f ? still
-                        : Camera::framingFrom(model.bounds(), aspect, turned(-still.direction(), turn));
+    return orbitRadians == 0.0f
+               ? still
+               : Camera::framingFrom(model.bounds(), aspect, rotatedAboutY(-still.direction(), orbitRadians));
 }
 
 }  // namespace walkcycle

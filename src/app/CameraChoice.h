@@ -9,20 +9,20 @@
 
 namespace walkcycle {
 
-// The camera options of `render`: a camera of the file, a preset, or a place of one's own.
+// The camera options of `render`: a camera of the file, a preset, or a position and what to look at.
 class CameraChoice {
 public:
     void declare(Arguments& arguments);
 
-    // Throws UsageError where the name means no camera; the message lists those that there are.
+    // Throws UsageError if --camera names no camera; the message lists all cameras.
     void check(const Model& model) const;
 
-    // The camera for the model as it stands now. `turn` (radians) goes round it, for turntables.
-    Camera camera(const AnimatedModel& model, float aspect, float turn = 0.0f) const;
+    // The camera for the model's present pose, moved around the model by `orbitRadians` (for turntables).
+    Camera camera(const AnimatedModel& model, float aspect, float orbitRadians = 0.0f) const;
 
 private:
-    bool hasPosition() const { return position_ || focalPoint_ || up_ || angle_; }
-    Camera ownCamera(const AnimatedModel& model, float aspect, float turn) const;
+    bool isPlaced() const { return position_ || focalPoint_ || up_ || angle_; }
+    Camera placedCamera(const AnimatedModel& model, float aspect, float orbitRadians) const;
 
     std::string name_;
     std::optional<glm::vec3> position_, focalPoint_, up_;

@@ -8,6 +8,7 @@
 #include "app/CodeNames.h"
 #include "app/Commands.h"
 #include "app/ExitCode.h"
+#include "app/Joined.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
 #include "io/File.h"
@@ -22,24 +23,24 @@ namespace fs = std::filesystem;
 struct CheckOptions {
     LoadArguments load;
     std::vector<std::string> files, ignored, profiles;
-    std::string failOn = "error";
-    bool json = false;
+    bool json = false, warningsFail = false;
 };
 
 void declare(CheckOptions& options, Arguments& arguments) {
-    arguments.positionals("FILE", "Documents, or folders that hold some; - is standard input", options.files);
-    arguments.options("--profile", "gltf|gazebo|secondlife|thinmatrix",
-                      "Say as well what is lost there; may be repeated", options.profiles);
+    arguments.positionals("FILE", "Documents, or folders of documents; - is standard input", options.files);
+    arguments.options("--profile", joined(profileNames(), "|"),
+                      "Also check what this program or format makes of it; may be repeated",
+                      options.profiles);
     arguments.flag("--json", "Print JSON, with the glTF validator's field names", options.json);
-    arguments.choice("--fail-on", {"error", "warning"}, "From which severity on the exit code is 1",
-                     options.failOn);
-    arguments.options("--ignore", "CODE", "Leave out messages of this code; may be repeated",
+    arguments.choiceOf<bool>("--fail-on", {{"error", false}, {"warning", true}},
+                             "The least severity for which the exit code is 1 (error)", options.warningsFail);
+    arguments.options("--ignore", "CODE", "Neither show nor count messages of this code; may be repeated",
                       options.ignored);
     options.load.declare(arguments);
     arguments.examples(
-        "  walkcycle check hero.dae                    what is wrong, each with its line and its cure\n"
+        "  walkcycle check hero.dae                    what is wrong, with the line and a way to fix it\n"
         "  walkcycle check hero.dae --profile gazebo   and what Gazebo makes of it\n"
-        "  walkcycle check exports/ --strict --quiet   for a build: exit code 1 where anything is\n"
+        "  walkcycle check exports/ --strict --quiet   for a build: exit code 1 for any warning\n"
         "  walkcycle explain WC0401                    more about one message\n");
 }
 
@@ -50,7 +51,7 @@ bool isDocument(const fs::path& path) {
     return extension == ".dae" || extension == ".zae";
 }
 
-// The documents of a folder and of those below it, in the order of their names. Throws UsageError where it has none.
+// The documents in a folder and in those below it, sorted by name. Throws UsageError if there are none.
 std::vector<std::string> documentsIn(const std::string& folder) {
     std::vector<std::string> files;
     std::error_code error;
@@ -65,10 +66,10 @@ std::vector<std::string> documentsIn(const std::string& folder) {
     return files;
 }
 
-// What there is to check. A folder that cannot be read does not keep the rest from being checked.
+// The files to check. If a folder cannot be read, the rest is checked all the same.
 struct Work {
     std::vector<std::string> files;
-    bool several = false;  // asked for more than one file, or for a folder
+    bool several = false;  // the command line names more than one file, or a folder
     bool unreadable = false;
 };
 
@@ -98,7 +99,7 @@ std::vector<Profile> profilesOf(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         const std::optional<Profile> profile = profileNamed(name);
         if (!profile)
-            throw UsageError("--profile: '" + name + "' is none of gltf, gazebo, secondlife, thinmatrix");
+            throw UsageError("--profile: '" + name + "' is none of " + joined(profileNames(), ", "));
         if (std::find(profiles.begin(), profiles.end(), *profile) == profiles.end())
             profiles.push_back(*profile);
     }
@@ -116,7 +117,7 @@ std::vector<std::string> ignoredCodes(const std::vector<std::string>& names) {
     return codes;
 }
 
-// A file that could not be read at all, for a reason that the loader does not know.
+// Reports a file that could not be read, for a reason that does not come from the loader.
 void addFailure(CheckReport& report, const std::string& reason) {
     Diagnostic diagnostic;
     diagnostic.code = info(Code::FileUnreadable).id;
@@ -160,7 +161,7 @@ bool hasFailed(const CheckReport& report, bool warningsFail) {
     return !report.loaded || counts.errors > 0 || (warningsFail && counts.warnings > 0);
 }
 
-// Checks them one after the other, and says what is wrong with each as soon as it is known.
+// Checks the files one after the other, and prints the messages about each before the next is loaded.
 std::vector<CheckReport> checkAll(const CheckOptions& options, const Work& work) {
     const std::vector<std::string> ignored = ignoredCodes(options.ignored);
     const std::vector<Profile> profiles = profilesOf(options.profiles);
@@ -196,7 +197,7 @@ int run(const CheckOptions& options) {
         printOut(reportsJson(reports, work.several));
     else if (!options.json && reports.size() > 1)
         printOut(total(reports));
-    const bool warningsFail = options.load.strict || options.failOn == "warning";
+    const bool warningsFail = options.load.strict || options.warningsFail;
     bool unreadable = work.unreadable, failed = false;
     for (const CheckReport& report : reports) {
         unreadable |= !report.readable;
@@ -209,7 +210,7 @@ int run(const CheckOptions& options) {
 
 Command checkCommand() {
     const auto options = std::make_shared<CheckOptions>();
-    return {"check", "What is wrong with files, where, and how to mend it",
+    return {"What is wrong with files, where, and how to fix it",
             [options](Arguments& arguments) { declare(*options, arguments); },
             [options] { return run(*options); }};
 }

@@ -9,22 +9,23 @@
 
 namespace walkcycle {
 
-// What `check` found out about one file.
+// What `check` found in one file.
 struct CheckReport {
     std::string file;
     std::vector<Diagnostic> diagnostics;
-    bool readable = true;  // the file could be opened at all
-    bool loaded = false;   // something of it could be shown
+    bool readable = true;  // the file could be opened
+    bool loaded = false;   // something of the file can be shown
     std::string version, authoringTool;
-    std::vector<std::string> profiles;  // whose rules were applied, too
+    std::vector<std::string> profiles;  // names of the profiles whose rules were checked
     ModelFacts facts;
 };
 
-// "hero.dae: 1 error, 2 warnings, 0 notes", and what that comes to for several files; each one line.
+// One line each: "hero.dae: 1 error, 2 warnings, 0 notes", and the sum over several files.
 std::string summary(const CheckReport& report);
 std::string total(const std::vector<CheckReport>& reports);
 
-// The reports with the glTF validator's field names, for tools that read those: one object, or an array of them.
+// The reports as JSON, with the field names of the glTF validator so that its tools can read them: one
+// object, or an array of objects.
 std::string reportsJson(const std::vector<CheckReport>& reports, bool asArray);
 
 }  // namespace walkcycle

@@ -6,11 +6,12 @@
 
 namespace walkcycle {
 
-// The clip that --clip means: a name, a number (0 is the whole timeline), or "all" or nothing for the whole timeline.
-// Null where nothing moves and none was named. Throws UsageError that lists the clips.
+// The clip that --clip names: by name or number (0 is the whole timeline), or the whole timeline for "all"
+// and "". Null if "all" or "" is asked for and nothing moves. Throws UsageError if there is no such clip; the
+// message lists all clips.
 const Animation* findClip(const Model& model, const std::string& wanted);
 
-// Turns the times of --time into times of the document: they are clip-relative where a clip is named.
+// Converts a time of --time to a time of the document. With --clip, --time counts from the clip's start.
 double documentTime(double seconds, const Animation* clip, const std::string& wantedClip);
 
 }  // namespace walkcycle

@@ -1,21 +1,31 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/Arguments.h"
 
 namespace walkcycle {
 
-// One per verb, each in a file of its own.
-Command checkCommand();
-Command compareCommand();
-Command explainCommand();
-Command infoCommand();
-Command poseCommand();
-Command renderCommand();
-Command viewCommand();
+// The verbs, in the order of the program's help. A new verb is a row here, and a file that defines its
+// function: for `view` that is viewCommand() in ViewCommand.cpp.
+#define WALKCYCLE_VERBS(ROW) \
+    ROW(view)                \
+    ROW(render)              \
+    ROW(info)                \
+    ROW(check)               \
+    ROW(pose)                \
+    ROW(compare)             \
+    ROW(explain)
 
-// The version of the program, of the libraries, and the OpenGL that there is.
+#define WALKCYCLE_DECLARE(verb) Command verb##Command();
+WALKCYCLE_VERBS(WALKCYCLE_DECLARE)
+#undef WALKCYCLE_DECLARE
+
+// All verbs, each with its name.
+std::vector<Command> allCommands();
+
+// The versions of the program and of its libraries, and the OpenGL of this machine.
 std::string versionText();
 
 }  // namespace walkcycle

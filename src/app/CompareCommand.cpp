@@ -5,6 +5,7 @@
 
 #include "app/Commands.h"
 #include "app/ExitCode.h"
+#include "app/FormatNumber.h"
 #include "app/ImageDifference.h"
 #include "app/Messages.h"
 #include "app/Numbers.h"
@@ -22,14 +23,15 @@ struct CompareOptions {
 
 void declare(CompareOptions& options, Arguments& arguments) {
     arguments.positional("A", "A picture", options.a, Arguments::Need::Required);
-    arguments.positional("B", "Another of the same size", options.b, Arguments::Need::Required);
+    arguments.positional("B", "Another picture, of the same size", options.b, Arguments::Need::Required);
     arguments.choice("--metric", {"ae", "rmse", "psnr", "ssim"},
-                     "ae: pixels that differ; rmse: 0 to 1; psnr: decibels; ssim: 1 for equal",
+                     "ae: count of pixels that differ; rmse: 0 to 1; psnr: decibels; ssim: 1 if equal (rmse)",
                      options.metric);
     arguments.option(
-        "--threshold", "X", "How different they may be: most for ae and rmse (0), least for psnr and ssim",
+        "--threshold", "X",
+        "The allowed difference: at most X for ae and rmse (0), at least X for psnr and ssim",
         [&options](const std::string& text) { options.threshold = parseNumber(text, "--threshold"); });
-    arguments.option("--output,-o", "FILE", "Write a picture of the differences, four times as bright",
+    arguments.option("--output,-o", "FILE", "Write a picture of the differences, made four times brighter",
                      options.output);
     arguments.examples("  walkcycle compare before.png after.png --metric ssim --threshold 0.99\n");
 }
@@ -74,8 +76,7 @@ int run(const CompareOptions& options) {
 
 Command compareCommand() {
     const auto options = std::make_shared<CompareOptions>();
-    return {"compare", "How far two pictures differ",
-            [options](Arguments& arguments) { declare(*options, arguments); },
+    return {"How much two pictures differ", [options](Arguments& arguments) { declare(*options, arguments); },
             [options] { return run(*options); }};
 }
 

@@ -21,7 +21,8 @@ std::vector<glm::dmat4> worlds(const Skeleton& skeleton, std::span<const glm::dm
     return result;
 }
 
-// One instance on its way through its deformers; `points` are in the mesh's space until a skin has placed them.
+// An instance while its deformers are applied. `points` are in the mesh's space, and in model space once a
+// skin or place() has moved them there.
 struct Deformation {
     const Model& model;
     const MeshInstance& instance;
@@ -46,7 +47,8 @@ struct Deformation {
     std::vector<glm::dmat4> palette(const Skin& skin) const;
 };
 
-// NORMALIZED: (1 - sum of w) * base + sum of w * target, where the model keeps target - base of the file's mesh.
+// NORMALIZED is (1 - sum of w) * base + sum of w * target. The model stores target - base, for the base of
+// the file.
 void Deformation::morph(const MorphTargets& morph) {
     unplace();
     const std::vector<glm::vec3>& fileMesh = model.meshes[at(instance.mesh)].positions;
@@ -70,7 +72,7 @@ std::vector<glm::dmat4> Deformation::palette(const Skin& skin) const {
         placement = skinPlacement(skin, [&](int joint) { return joints[at(joint)]; });
     std::vector<glm::dmat4> matrices(skin.joints.size());
     for (std::size_t i = 0; i < matrices.size(); ++i) {
-        const bool own = i + 1 == matrices.size();  // the skin's node itself, which needs no placing
+        const bool own = i + 1 == matrices.size();  // the skin's own node, which is in place already
         matrices[i] = (own ? glm::dmat4(1.0) : placement) * joints[at(skin.joints[i])] *
                       glm::dmat4(skin.inverseBindMatrices[i]) * glm::dmat4(skin.bindShapeMatrix);
     }

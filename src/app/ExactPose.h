@@ -9,15 +9,16 @@
 
 namespace walkcycle {
 
-// One moment of a model: a transform per joint, to the model's space, and the positions of each instance.
+// A model at one moment: per joint its model transform, and per instance its deformed positions in model
+// space.
 template <typename Number>
 struct PosedModel {
     std::vector<glm::mat<4, 4, Number>> joints;
     std::vector<std::vector<glm::vec<3, Number>>> positions;  // per instance, one per MeshData::positions
 };
 
-// The pose straight from the file's curves and transform stacks, hierarchy, morphs and skins in double: code of its
-// own, beside Animator and CpuSkinning, so that one can be held against the other.
+// The pose in double precision, straight from the file's curves and transform stacks. It shares no code with
+// Animator and CpuSkinning, so that each can be tested against the other.
 PosedModel<double> exactPose(const Model& model, double documentSeconds);
 
 }  // namespace walkcycle

@@ -4,16 +4,16 @@
 
 namespace walkcycle {
 
-// What the program's exit codes mean; scripts rely on them.
+// The exit codes of the program. Scripts rely on their meaning.
 enum ExitCode : int {
     kFine = 0,
     kFaultsFound = 1,   // `check` found errors, nothing could be shown, or pictures differ
-    kWrongUsage = 2,    // or a file that cannot be read or written
-    kNoGraphics = 3,    // no device or display to draw with, or it went away
-    kInterrupted = 130  // by SIGINT; as a shell counts, 128 + the signal
+    kWrongUsage = 2,    // also: a file cannot be read or written
+    kNoGraphics = 3,    // no device or display to draw with, or it was lost
+    kInterrupted = 130  // by SIGINT: 128 + the signal's number, as in shells
 };
 
-// The command line asks for something that there is not; the message says what there is.
+// The command line asks for something that does not exist or is not possible. The message says what is.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

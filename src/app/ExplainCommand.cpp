@@ -5,14 +5,16 @@
 #include "app/ExitCode.h"
 #include "app/Messages.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/MessageTemplate.h"
 
 namespace walkcycle {
 namespace {
 
+// Words in capitals stand for what a message takes from the file.
 std::string explanation(const CodeInfo& entry) {
     std::string text = std::string(entry.id) + " " + entry.name + " (" + nameOf(entry.severity) +
-                       ")\n  says:  " + entry.text + "\n  means: " + entry.cause +
-                       "\n  cure:  " + entry.cure + "\n";
+                       ")\n  says:  " + withWords(entry.text) + "\n  means: " + entry.cause +
+                       "\n  cure:  " + withWords(entry.cure) + "\n";
     if (!*entry.inBlender) return text;
     return text + "    Blender: " + entry.inBlender + "\n    Maya:    " + entry.inMaya +
            "\n    3ds Max: " + entry.in3dsMax + "\n";
@@ -22,7 +24,8 @@ int run(const std::string& wanted) {
     if (wanted.empty()) {
         std::string list;
         for (const CodeInfo& entry : diagnosticCatalogue())
-            list += std::string(entry.id) + "  " + nameOf(entry.severity) + "  " + entry.text + "\n";
+            list +=
+                std::string(entry.id) + "  " + nameOf(entry.severity) + "  " + withWords(entry.text) + "\n";
         printOut(list);
         return kFine;
     }
@@ -36,10 +39,10 @@ int run(const std::string& wanted) {
 
 Command explainCommand() {
     const auto wanted = std::make_shared<std::string>();
-    return {"explain", "What a message such as WC0207 means, and what to do about it",
+    return {"What a message such as WC0207 means, and what to do about it",
             [wanted](Arguments& arguments) {
-                arguments.positional("CODE", "The message's code; without one, all are listed", *wanted,
-                                     Arguments::Need::Optional);
+                arguments.positional("CODE", "The code of a message; without one, all messages are listed",
+                                     *wanted, Arguments::Need::Optional);
                 arguments.examples("  walkcycle explain WC0207\n");
             },
             [wanted] { return run(*wanted); }};

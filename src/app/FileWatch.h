@@ -7,12 +7,13 @@
 
 namespace walkcycle {
 
-// Notices that a file was written again.
+// Notices when a file was written anew.
 class FileWatch {
 public:
     explicit FileWatch(std::string path);
 
-    // True once after each change, when the file has kept still for a moment: exporters write in many steps.
+    // True once after each change, as soon as the file has not changed for a moment: exporters write in many
+    // steps.
     bool changed(double nowInSeconds);
 
 private:

@@ -7,10 +7,11 @@ namespace walkcycle {
 // The names of the pictures of one call: "walk_{frame:04}.png" gives walk_0000.png, walk_0001.png, ...
 class FramePattern {
 public:
-    // Throws UsageError for a {frame...} that is not understood.
+    // Throws UsageError if a {frame...} is not {frame} or {frame:digits}.
     explicit FramePattern(const std::string& pattern);
 
-    bool hasFrame() const { return hasFrame_; }  // without one, it is the name of a single picture
+    // Without {frame}, the pattern is the name of a single picture.
+    bool hasFrame() const { return hasFrame_; }
     std::string name(int frame) const;
 
 private:

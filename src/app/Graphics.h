@@ -9,8 +9,8 @@
 
 namespace walkcycle {
 
-// An OpenGL context to draw pictures with: without a display (EGL), through a hidden window (GLFW), or whichever of
-// the two works. Throws NoGraphicsDevice.
+// An OpenGL context to draw pictures with: without a display (EGL) or through a hidden window (GLFW). "auto"
+// takes the first of the two that works. Throws NoGraphicsDevice.
 class Graphics {
 public:
     explicit Graphics(const std::string& backend);  // "auto", "egl" or "glfw"

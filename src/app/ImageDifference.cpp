@@ -10,7 +10,7 @@
 namespace walkcycle {
 namespace {
 
-// Red, green, blue by coverage, and the coverage itself.
+// Red, green and blue times alpha, and alpha.
 std::array<int, 4> premultiplied(const Image& image, std::size_t pixel) {
     const std::uint8_t* p = image.rgba.data() + pixel * 4;
     return {p[0] * p[3] / 255, p[1] * p[3] / 255, p[2] * p[3] / 255, p[3]};

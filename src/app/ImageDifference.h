@@ -6,7 +6,7 @@
 
 namespace walkcycle {
 
-// Measures of how two pictures of one size differ. Colours count by their alpha, as over black.
+// How much two pictures of the same size differ. Colours are multiplied by their alpha, as if over black.
 struct ImageDifference {
     std::int64_t pixels = 0;  // ae: how many pixels differ at all
     double rmse = 0.0;        // root of the mean squared difference, 0 to 1

@@ -5,6 +5,7 @@
 #include "app/InfoText.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
+#include "app/SharedOptions.h"
 
 namespace walkcycle {
 namespace {
@@ -16,8 +17,7 @@ struct InfoOptions {
 };
 
 void declare(InfoOptions& options, Arguments& arguments) {
-    arguments.positional("FILE", "The document; - is standard input", options.file,
-                         Arguments::Need::Required);
+    declareDocument(arguments, options.file);
     arguments.flag("--json", "Print JSON", options.json);
     options.load.declare(arguments);
     arguments.examples("  walkcycle info hero.dae\n  walkcycle info hero.dae --json | jq .clips\n");
@@ -25,7 +25,7 @@ void declare(InfoOptions& options, Arguments& arguments) {
 
 int run(const InfoOptions& options) {
     LoadArguments load = options.load;
-    load.options.imagePixels = false;  // their sizes are all that is told of pictures
+    load.options.imagePixels = false;  // of pictures, only the sizes are printed
     const Model model = load.load(options.file);
     printOut(options.json ? infoJson(model) : infoText(model));
     return kFine;
@@ -35,7 +35,7 @@ int run(const InfoOptions& options) {
 
 Command infoCommand() {
     const auto options = std::make_shared<InfoOptions>();
-    return {"info", "What is in a file: axes, unit, joints, clips, meshes, materials, textures",
+    return {"What is in a file: axes, unit, joints, clips, meshes, materials, textures",
             [options](Arguments& arguments) { declare(*options, arguments); },
             [options] { return run(*options); }};
 }

@@ -1,7 +1,7 @@
 #include "app/InfoText.h"
 
+#include "app/FormatNumber.h"
 #include "app/ModelFacts.h"
-#include "app/Numbers.h"
 #include "model/CpuSkinning.h"
 
 namespace walkcycle {
@@ -19,7 +19,7 @@ std::string plural(std::size_t count, const std::string& one) {
                                       : one + (hisses ? "es" : "s"));
 }
 
-// A line of the page: the heading stands once, its entries below each other.
+// The lines of `info`. Lines of the same heading follow each other, and only the first of them shows it.
 class Page {
 public:
     explicit Page(std::string title) : text_(std::move(title) + "\n") {}
@@ -91,7 +91,7 @@ std::string infoText(const Model& model) {
     const ModelFacts facts = factsOf(model);
     Page page(model.file);
     page.add("format", "COLLADA " + model.asset.version);
-    page.add("made by", model.asset.authoringTool.empty() ? "(not said)" : model.asset.authoringTool);
+    page.add("made by", model.asset.authoringTool.empty() ? "(unknown)" : model.asset.authoringTool);
     page.add("axes", std::string(nameOf(model.asset.upAxis)) + " up");
     page.add("unit", quoted(model.asset.unitName) + ", " + formatNumber(model.asset.metersPerUnit) + " m");
     page.add("scene", quoted(model.sceneId) + ": " + plural(model.skeleton.joints.size(), "node") + ", " +

@@ -6,7 +6,7 @@
 
 namespace walkcycle {
 
-// What is in a file, for people and for programs.
+// What `info` prints about a file, for people and (as JSON) for programs.
 std::string infoText(const Model& model);
 std::string infoJson(const Model& model);
 

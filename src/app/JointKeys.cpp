@@ -11,10 +11,11 @@ std::string ownName(const Joint& joint) {
     return joint.sid.empty() ? "node" : joint.sid;
 }
 
-// Of a deeper joint the path would be longer than anyone reads, and the paths of all larger than the file by far.
+// Deeper joints get no path: nobody would read it, and all those paths together would be far larger than the
+// file.
 constexpr std::size_t kDeepestPath = 128, kLongestPath = 1000;
 
-// Walks upwards, so its cost is the depth; only those whose name is taken need it.
+// The names from the root to the joint. Costs a step per level, but only joints whose name is taken need it.
 std::string path(const Skeleton& skeleton, std::size_t joint) {
     std::vector<std::string> names;
     std::size_t length = 0;
@@ -33,12 +34,12 @@ std::string path(const Skeleton& skeleton, std::size_t joint) {
 
 std::vector<std::string> jointKeys(const Skeleton& skeleton) {
     std::vector<std::string> keys;
-    std::unordered_map<std::string, std::size_t> taken;  // and how many twins it has
+    std::unordered_map<std::string, std::size_t> taken;  // key -> how many more joints have asked for it
     keys.reserve(skeleton.joints.size());
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
         std::string key = ownName(skeleton.joints[i]);
         if (taken.contains(key)) key = path(skeleton, i);
-        // Twins beneath one parent have one path, too.
+        // Nodes of one name below one parent have the same path, too.
         const std::string shared = key;
         while (taken.contains(key)) key = shared + "[" + std::to_string(++taken[shared] + 1) + "]";
         taken.emplace(key, 0);

@@ -7,8 +7,9 @@
 
 namespace walkcycle {
 
-// A name for every joint that no other joint has: its id, else its name, else its sid; where that is taken (an
-// occurrence of the same node by instance_node, or twins), its path from the root, "a/b/c".
+// A unique name for every joint: its id, else its name, else its sid. If an earlier joint has that name
+// already (two nodes of one name, or a node that <instance_node> shows again), its path from the root,
+// "a/b/c".
 std::vector<std::string> jointKeys(const Skeleton& skeleton);
 
 }  // namespace walkcycle

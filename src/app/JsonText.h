@@ -10,12 +10,13 @@
 
 namespace walkcycle {
 
-// Writes JSON straight into a string: a pose is megabytes of numbers, and each is written once.
+// Writes JSON straight into a string, without building a tree of values first: a pose is megabytes of
+// numbers.
 class JsonText {
 public:
     void raw(std::string_view text) { text_ += text; }
 
-    // A file's name may be bytes of any kind; those that are not UTF-8 are written as Latin-1 would read them.
+    // The name of a file may be any bytes. A text that is not UTF-8 is taken for Latin-1.
     void string(std::string_view value) {
         const bool valid = isUtf8(value);
         text_ += '"';
@@ -23,8 +24,8 @@ public:
         text_ += '"';
     }
 
-    // The shortest text that reads back as the same number. JSON knows no infinity; nothing that reaches this far
-    // should be one, and a reader must not choke if it is.
+    // The shortest text that reads back as the same number. JSON has no infinity; no number here should be
+    // infinite, but if one is, 0 keeps the text valid.
     template <typename Number>
     void number(Number value) {
         if (!std::isfinite(value)) return raw("0");

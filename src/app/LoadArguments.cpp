@@ -33,8 +33,9 @@ void setLimit(const std::string& text, LoadLimits& limits) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string name = text.substr(0, equals);
     const LimitInfo* limit = findLimit(name);
-    if (!limit) throw UsageError("--limit: '" + name + "' is not a limit; there are " + limitNames());
-    if (equals == text.size()) throw UsageError("--limit: give a value, as in " + name + "=" + "1000");
+    if (!limit) throw UsageError("--limit: '" + name + "' is not a limit; the limits are " + limitNames());
+    if (equals == text.size())
+        throw UsageError("--limit: '" + text + "' has no value, as in " + name + "=1000");
     const std::uint64_t value = parseSize(text.substr(equals + 1), "--limit " + name);
     if (value > limit->most)
         throw UsageError("--limit: " + name + " can be at most " + std::to_string(limit->most));
@@ -45,42 +46,42 @@ void setLimit(const std::string& text, LoadLimits& limits) {
 
 void LoadArguments::declare(Arguments& arguments) {
     arguments.group("Reading the file");
-    arguments.option("--texture", "FILE", "Use this picture for every diffuse texture", options.texture);
-    arguments.options("--allow-path", "DIR", "Let the document refer to files in this folder, too",
+    arguments.option("--texture", "FILE", "Use this picture as every diffuse texture", options.texture);
+    arguments.options("--allow-path", "DIR",
+                      "Also allow the document to use files in this folder; may be repeated",
                       options.allowedPaths);
     arguments.option("--scene", "ID", "The visual scene to show, by id or name", options.scene);
-    arguments.flag("--no-convert", "Keep the document's own axes and unit (otherwise Y up, metres)",
+    arguments.flag("--no-convert",
+                   "Keep the document's own axes and unit, instead of converting to Y up and metres",
                    noConvert_);
-    arguments.option("--up", "X|Y|Z", "The axis that is up, instead of the document's own",
+    arguments.option("--up", "X|Y|Z", "The up axis, instead of the document's own",
                      [this](const std::string& text) { options.upAxis = parseAxis(text); });
     arguments.option(
         "--unit", "METRES", "Metres per unit, instead of the document's own",
         [this](const std::string& text) { options.metersPerUnit = parsePositive(text, "--unit"); });
-    arguments.choice("--skin-node", {"auto", "apply", "ignore"},
-                     "Whether a skin's node moves it as well as its joints do", skinNode_);
+    arguments.choiceOf<SkinNode>(
+        "--skin-node", {{"auto", SkinNode::Auto}, {"apply", SkinNode::Apply}, {"ignore", SkinNode::Ignore}},
+        "Whether the node of a skin moves it, in addition to the skin's joints", options.skinNode);
     arguments.option(
-        "--tolerance", "SHARE", "Largest error of the keyframes, as a share of the model's size (1e-4)",
+        "--tolerance", "SHARE", "The largest error of the key frames, as a share of the model's size (1e-4)",
         [this](const std::string& text) { options.tolerance = parsePositive(text, "--tolerance"); });
-    arguments.flag("--strict", "Take warnings for errors: end with 1 where the file has any", strict);
-    arguments.flag("--verbose,-v", "Say more: also notes, and what was found and chosen", verbose);
-    arguments.flag("--quiet,-q", "Say nothing but what stops the program", quiet);
+    arguments.flag("--strict", "End with exit code 1 if the file has errors or warnings", strict);
+    arguments.flag("--verbose,-v", "Print more: also notes, and what was found and chosen", verbose);
+    arguments.flag("--quiet,-q", "Print only what stops the program", quiet);
     declareLimits(arguments);
 }
 
 void LoadArguments::declareLimits(Arguments& arguments) {
     arguments.eachOption(
         "--limit", "NAME=VALUE",
-        "Raise or lower what a load may cost: file-bytes=2G (k, M and G are of 1024; a wrong NAME "
-        "lists them all)",
+        "Raise or lower a limit of the loader, as in file-bytes=2G (k, M, G: powers of 1024); a wrong NAME "
+        "lists all limits",
         [this](const std::string& text) { setLimit(text, options.limits); });
 }
 
 Model LoadArguments::loadSilently(const std::string& file) const {
     LoadOptions chosen = options;
     if (noConvert_) chosen.convert = false;
-    chosen.skinNode = skinNode_ == "apply"    ? SkinNode::Apply
-                      : skinNode_ == "ignore" ? SkinNode::Ignore
-                                              : SkinNode::Auto;
     Progress progress("loading", !quiet);
     if (!chosen.progress) chosen.progress = [&progress](double share) { progress.update(share); };
     return loadCollada(file, chosen);

@@ -9,10 +9,10 @@
 
 namespace walkcycle {
 
-// The loader's options, which every verb that reads a document takes.
+// The options of the loader, which every verb that reads a document has.
 struct LoadArguments {
     LoadOptions options;
-    bool strict = false;  // warnings and errors of the file end the program with 1
+    bool strict = false;  // end with exit code 1 if the file has errors or warnings
     bool verbose = false;
     bool quiet = false;
 
@@ -21,20 +21,19 @@ struct LoadArguments {
         return quiet ? Verbosity::Quiet : verbose ? Verbosity::Verbose : Verbosity::Normal;
     }
 
-    // Loads, and says what is wrong with the file. Throws LoadError (after saying why), and with --strict also
-    // where a file could be shown.
+    // Loads a file, and prints what is wrong with it. Throws LoadError (after printing the reason) and, with
+    // --strict, StrictFailure.
     Model load(const std::string& file) const;
 
-    // The same without saying anything.
+    // The same without printing anything.
     Model loadSilently(const std::string& file) const;
 
 private:
     bool noConvert_ = false;
-    std::string skinNode_ = "auto";
     void declareLimits(Arguments& arguments);
 };
 
-// Thrown by --strict after the messages were printed.
+// With --strict, the file has errors or warnings. They have been printed.
 struct StrictFailure {};
 
 }  // namespace walkcycle

@@ -38,7 +38,7 @@ std::string colored(std::string_view text, const char* color) {
                       : std::string(text);
 }
 
-// The severity's word in its colour; the rest of the line as it is.
+// The diagnostic as one line, with the word of its severity in colour.
 std::string highlighted(const Diagnostic& diagnostic) {
     std::string line = toString(diagnostic);
     const std::string_view word = nameOf(diagnostic.severity);
@@ -52,7 +52,7 @@ std::string highlighted(const Diagnostic& diagnostic) {
 
 }  // namespace
 
-// One line, whatever a driver or a library put into it.
+// Prints one line, even if the message of a driver or library has line breaks.
 void printError(const std::string& text) {
     std::string message = text.substr(0, text.find_last_not_of("\n\r ") + 1);
     std::replace_if(

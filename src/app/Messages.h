@@ -7,30 +7,30 @@
 
 namespace walkcycle {
 
-// How much is said on standard error.
+// How much is printed on standard error.
 enum class Verbosity {
-    Quiet,   // only what stopped the program
+    Quiet,   // only what stops the program
     Normal,  // errors and warnings
-    Verbose  // all of it, and what the program itself chose (device, files found)
+    Verbose  // also notes, and what the program chose (device, files found)
 };
 
 // One line on standard error, "walkcycle: error: ...".
 void printError(const std::string& message);
 void printNote(const std::string& message);
 
-// Diagnostics as toString() writes them, a line each; in colour where standard error is a terminal and NO_COLOR
-// is not set.
+// Prints diagnostics of at least this severity, a line each, as toString() gives them; in colour if standard
+// error is a terminal and NO_COLOR is not set.
 void printDiagnostics(std::span<const Diagnostic> diagnostics, Severity least);
 
 struct DiagnosticCounts {
     int errors = 0, warnings = 0, infos = 0;
 };
-DiagnosticCounts count(std::span<const Diagnostic> diagnostics);  // repeats are counted too
+DiagnosticCounts count(std::span<const Diagnostic> diagnostics);  // repeats included
 
-// Text to standard output, all of it or a FileError.
+// Writes all of the text to standard output, or throws FileError.
 void printOut(const std::string& text);
 
-// "loading 42 %" on a terminal, from half a second on; cleared by its destructor.
+// Shows "loading 42 %" on a terminal, once half a second has passed. The destructor clears it.
 class Progress {
 public:
     Progress(std::string what, bool wanted);

@@ -7,11 +7,11 @@
 
 namespace walkcycle {
 
-// The numbers about a model that `info` prints and `check --json` holds.
+// Counts and sizes of a model, for `info` and `check --json`.
 struct MeshFacts {
     std::string name;
     std::size_t positions = 0, vertices = 0, triangles = 0, lines = 0;
-    std::size_t joints = 0, maxInfluences = 0, morphTargets = 0;  // of the first instance that has any
+    std::size_t joints = 0, maxInfluences = 0, morphTargets = 0;  // the most over all instances
     std::size_t instances = 0;
 };
 
@@ -26,7 +26,7 @@ struct ModelFacts {
     std::vector<MeshFacts> meshes;
     std::vector<ClipFacts> clips;
     std::size_t joints = 0, maxInfluences = 0;
-    std::size_t drawnVertices = 0, drawnTriangles = 0;  // every instance counted
+    std::size_t drawnVertices = 0, drawnTriangles = 0;  // summed over all instances
 };
 
 ModelFacts factsOf(const Model& model);

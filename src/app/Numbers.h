@@ -11,8 +11,8 @@
 
 namespace walkcycle {
 
-// Numbers as people type them in options, the same under any locale. `option` is named in the UsageError that
-// says why a text is none.
+// Parses the values of options, under every locale the same way. A text that is wrong throws a UsageError,
+// which names `option` and says what is expected.
 double parseNumber(std::string_view text, const std::string& option);
 int parseInteger(std::string_view text, const std::string& option, int least, int most);
 std::uint64_t parseSize(std::string_view text, const std::string& option);  // 1500, 20k, 64M, 2G (of 1024)
@@ -20,10 +20,5 @@ std::vector<double> parseNumbers(std::string_view text, const std::string& optio
 glm::vec3 parseVector(std::string_view text, const std::string& option);             // "X,Y,Z"
 std::pair<int, int> parsePair(std::string_view text, char separator, const std::string& option, int most);
 glm::vec3 parseColor(std::string_view text, const std::string& option);  // "#rrggbb" or "#rgb", 0 to 1
-
-// The shortest text that reads back as the same number, or with `digits` after the point.
-std::string formatNumber(double number);
-std::string formatFixed(double number, int digits);
-std::string formatScientific(double number);  // "2.3e-05"
 
 }  // namespace walkcycle

@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// The model as it stands at the animator's moment, as a Wavefront OBJ: positions, normals, the first texture
-// coordinates, one object per instance.
+// The model in the animator's present pose as a Wavefront OBJ: one object per instance, with positions,
+// normals and the first set of texture coordinates.
 std::string poseObj(const Model& model, const Animator& animator);
 
 }  // namespace walkcycle

@@ -11,8 +11,8 @@ namespace walkcycle {
 namespace {
 
 constexpr float kFovDegrees = 30.0f;
-constexpr float kNearestToPole = 0.01f;  // radians; straight from above, there would be no up
-constexpr float kTurnPerHeight = glm::pi<float>();
+constexpr float kNearestToPole = 0.01f;  // radians; looking straight down, up would have no direction
+constexpr float kRadiansPerHeight = glm::pi<float>();  // half a revolution per window height
 constexpr float kZoomPerStep = 0.9f;
 const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
 
@@ -30,20 +30,20 @@ void OrbitCamera::frame(const Bounds& bounds, float aspect) {
     distance_ = std::max(1e-6f, glm::dot(framing.position() - target_, back));
     yaw_ = std::atan2(back.x, back.z);
     pitch_ = std::asin(std::clamp(back.y, -1.0f, 1.0f));
-    // The framing may look a little past the middle; keep that.
+    // The framing may not look exactly at the middle of the bounds; keep its own target.
     target_ = framing.position() - towardsCamera() * distance_;
 }
 
 void OrbitCamera::orbit(float dx, float dy) {
     const float pole = glm::half_pi<float>() - kNearestToPole;
-    yaw_ = std::remainder(yaw_ - dx * kTurnPerHeight, glm::two_pi<float>());
-    pitch_ = std::clamp(pitch_ + dy * kTurnPerHeight, -pole, pole);
+    yaw_ = std::remainder(yaw_ - dx * kRadiansPerHeight, glm::two_pi<float>());
+    pitch_ = std::clamp(pitch_ + dy * kRadiansPerHeight, -pole, pole);
 }
 
 void OrbitCamera::pan(float dx, float dy) {
     const glm::vec3 back = towardsCamera();
     const glm::vec3 right = glm::normalize(glm::cross(kUp, back));
-    // At the target's distance, one height of the window shows this much.
+    // What the window's height shows at the target's distance.
     const float height = 2.0f * distance_ * std::tan(glm::radians(kFovDegrees) * 0.5f);
     target_ += (glm::cross(back, right) * dy - right * dx) * height;
 }

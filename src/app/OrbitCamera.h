@@ -4,19 +4,19 @@
 
 namespace walkcycle {
 
-// A camera that a mouse moves round a point, nearer and farther, and sideways.
+// The camera of the viewer, which the mouse moves around a point, towards and away from it, and sideways.
 class OrbitCamera {
 public:
-    // Looks at all of `bounds`, from a little to the side and above. Where `reset` comes back to.
+    // Shows all of `bounds`, from a little to the side and above.
     void frame(const Bounds& bounds, float aspect);
 
-    // Follows a change of what there is to see without moving: only the depth range changes.
+    // Takes new bounds without moving: only the depth range of camera() and the range of zoom() change.
     void keep(const Bounds& bounds) { bounds_ = bounds; }
 
-    // Movements in shares of the window's height, y downwards as the mouse has it.
+    // Movements of the mouse as fractions of the window's height, y downwards.
     void orbit(float dx, float dy);
     void pan(float dx, float dy);
-    void zoom(float steps);  // over zero: nearer
+    void zoom(float steps);  // above zero: nearer
 
     Camera camera(float aspect) const;
 

@@ -21,7 +21,7 @@ bool isPictureName(const std::string& path) {
 
 void writePicture(const std::string& path, const Image& image) {
     if (!isPictureName(path))
-        throw UsageError("'" + path + "' is no picture that can be written: .png or .webp");
+        throw UsageError("'" + path + "' is not a .png or .webp, which are the pictures that can be written");
     writeFile(path, endsWith(path, ".webp") ? encodeWebp(image) : encodePng(image));
 }
 

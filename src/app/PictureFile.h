@@ -7,10 +7,10 @@
 
 namespace walkcycle {
 
-// Whether the name is one that writePicture can write: .png, .webp, or - (PNG to standard output).
+// Whether writePicture can write a file of this name: .png, .webp, or - (PNG to standard output).
 bool isPictureName(const std::string& path);
 
-// Writes the picture as its name says, whole or not at all.
+// Writes the picture in the format of its name, whole or not at all.
 void writePicture(const std::string& path, const Image& image);
 
 }  // namespace walkcycle

@@ -7,9 +7,9 @@
 #include "app/ExactPose.h"
 #include "app/ExitCode.h"
 #include "app/LoadArguments.h"
-#include "app/Numbers.h"
 #include "app/ObjWriter.h"
 #include "app/PoseWriter.h"
+#include "app/SharedOptions.h"
 #include "io/File.h"
 #include "model/CpuSkinning.h"
 
@@ -18,22 +18,23 @@ namespace {
 
 struct PoseOptions {
     LoadArguments load;
-    std::string file, clip, times, output = "-";
+    std::string file, clip, output = "-";
+    std::vector<double> times{0.0};
     bool json = false, exact = false;
 };
 
 void declare(PoseOptions& options, Arguments& arguments) {
-    arguments.positional("FILE", "The document; - is standard input", options.file,
-                         Arguments::Need::Required);
-    arguments.option("--time,-t", "S[,S...]",
-                     "Times in seconds, on the document's timeline (of the clip with --clip)", options.times);
-    arguments.option("--clip", "NAME|N", "The clip to sample; `all` is the whole timeline", options.clip);
+    declareDocument(arguments, options.file);
+    declareTimes(arguments, options.times);
+    declareClip(arguments, options.clip);
     arguments.flag("--json", "Print JSON (the default)", options.json);
-    arguments.option("--output,-o", "FILE", "Write there: .json, or .obj for one time; - is standard output",
+    arguments.option("--output,-o", "FILE",
+                     "The file to write: .json, or .obj for a single time; - is standard output",
                      options.output);
-    arguments.flag("--exact",
-                   "Evaluate the file's own curves in double instead of the keyframes made from them",
-                   options.exact);
+    arguments.flag(
+        "--exact",
+        "Evaluate the file's own curves in double precision, instead of the key frames made from them",
+        options.exact);
     options.load.declare(arguments);
     arguments.examples(
         "  walkcycle pose hero.dae --time 0,0.5 --json          joints and vertices, in the document's axes "
@@ -70,13 +71,12 @@ std::string exactJson(const Model& model, std::span<const double> times, const A
 
 int run(const PoseOptions& options) {
     const bool obj = options.output.ends_with(".obj");
-    if (obj && options.exact) throw UsageError("--exact goes with --json");
-    if (obj && options.json) throw UsageError("--json and an .obj output: which one?");
+    if (obj && options.exact) throw UsageError("--exact writes JSON, not an .obj");
+    if (obj && options.json) throw UsageError("--json and an .obj output exclude each other");
     LoadArguments load = options.load;
     load.options.convert = false;
     load.options.loadImages = false;
-    const std::vector<double> times =
-        options.times.empty() ? std::vector<double>{0.0} : parseNumbers(options.times, "--time");
+    const std::vector<double>& times = options.times;
     if (obj && times.size() > 1) throw UsageError("an .obj holds one pose: give one --time");
     const Model model = load.load(options.file);
     const Animation* clip = findClip(model, options.clip);
@@ -102,7 +102,7 @@ int run(const PoseOptions& options) {
 
 Command poseCommand() {
     const auto options = std::make_shared<PoseOptions>();
-    return {"pose", "The deformed model and its joints at given times, as JSON or OBJ",
+    return {"The deformed model and its joints at given times, as JSON or OBJ",
             [options](Arguments& arguments) { declare(*options, arguments); },
             [options] { return run(*options); }};
 }

@@ -31,7 +31,7 @@ void rowMajor(JsonText& json, const glm::mat<4, 4, Number>& matrix) {
     list(json, rows.size(), [&](std::size_t i) { json.number(rows[i]); });
 }
 
-// The positions that a surface uses; what only lines use, or nothing, is not part of the deformed model.
+// The positions that a surface uses. Positions used by lines alone, or by nothing, are left out.
 template <typename Number>
 void usedPositions(JsonText& json, const MeshData& mesh, const std::vector<glm::vec<3, Number>>& positions) {
     json.raw("[");

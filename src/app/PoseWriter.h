@@ -8,7 +8,7 @@
 
 namespace walkcycle {
 
-// What `pose --json` prints. `poses` has one entry per time.
+// The JSON that `pose` prints. `poses` has one entry per time.
 template <typename Number>
 std::string poseJson(const Model& model, std::span<const double> times,
                      std::span<const PosedModel<Number>> poses);

@@ -12,11 +12,13 @@
 
 #include "app/Commands.h"
 #include "app/ExitCode.h"
+#include "app/Joined.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
 #include "io/File.h"
 #include "io/Image.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/Spelling.h"
 #include "platform/DisplayLoss.h"
 #include "platform/NoGraphicsDevice.h"
 #include "render/GraphicsError.h"
@@ -25,22 +27,22 @@ namespace walkcycle {
 namespace {
 
 constexpr const char* kAbout =
-    "Walkcycle opens COLLADA characters (.dae, .zae), plays their walk cycle right, says what is wrong with "
-    "the file, and "
-    "renders.";
+    "Walkcycle opens COLLADA characters (.dae, .zae), plays and draws them, and says what is wrong with "
+    "their "
+    "files.";
 constexpr const char* kExamples =
-    "A bare FILE means `view`; without one, the built-in character walks.\n"
+    "`walkcycle FILE` means `walkcycle view FILE`; without a FILE, the built-in character walks.\n"
     "\nExamples:\n"
     "  walkcycle                                 the built-in character, in a window\n"
-    "  walkcycle hero.dae                        yours\n"
-    "  walkcycle render hero.dae -o hero.png     a picture, without a display too\n"
+    "  walkcycle hero.dae                        a character of yours\n"
+    "  walkcycle render hero.dae -o hero.png     a picture, even without a display\n"
     "  walkcycle check exports/                  what is wrong with the files of a folder\n"
-    "  walkcycle render --help                   all about one verb\n"
+    "  walkcycle render --help                   the options of one verb\n"
     "\nExit codes: 0 fine; 1 the file has errors, or pictures differ; 2 wrong usage, or a file that cannot "
     "be read or\n"
     "written; 3 no graphics device, or it is lost; 130 interrupted, 143 terminated.";
 
-// As a shell says it: 130 after SIGINT, 143 after SIGTERM.
+// Exits as shells expect: with 130 after SIGINT, 143 after SIGTERM.
 void onInterrupt(int signal) {
     removeUnfinishedFiles();
     ::_exit(kInterrupted - SIGINT + signal);
@@ -54,14 +56,16 @@ void onDisplayLost() {
 
 void installHandlers() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (std::signal(signal, onInterrupt) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup wants it
-    // A closed pipe and a file that may not grow further are FileErrors like any other.
+        if (std::signal(signal, onInterrupt) == SIG_IGN)
+            std::signal(signal, SIG_IGN);  // set by nohup, for example
+    // Writing to a closed pipe, or beyond the largest allowed file, then fails like any other write: with a
+    // FileError.
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
     whenDisplayIsLost(onDisplayLost);
 }
 
-// Where a standard stream is closed, the next file that is opened would take its number, and what is printed would
-// end up there. A stream that can do nothing keeps the place.
+// If a standard stream is closed, the next file to be opened would get its number, and printed text would end
+// up in that file. /dev/null takes the number instead.
 void holdStandardStreams() {
     for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(fd, F_GETFD) >= 0) continue;
@@ -70,14 +74,27 @@ void holdStandardStreams() {
     }
 }
 
-std::vector<Command> allCommands() {
-    return {viewCommand(), renderCommand(),  infoCommand(),   checkCommand(),
-            poseCommand(), compareCommand(), explainCommand()};
-}
-
 bool isVerb(const std::vector<Command>& commands, const std::string& word) {
     return std::any_of(commands.begin(), commands.end(),
                        [&](const Command& command) { return command.name == word; });
+}
+
+[[noreturn]] void failAsNeitherFileNorVerb(const std::vector<Command>& commands, const std::string& word) {
+    std::vector<std::string> verbs;
+    for (const Command& command : commands) verbs.push_back(command.name);
+    throw UsageError("'" + word + "' is neither a file nor a verb (" + joined(verbs, ", ") + ")" +
+                     didYouMean(word, joined(verbs, " ")));
+}
+
+// The end of a message about arguments that a verb does not have: the option that is probably meant.
+std::string nearestOption(const CLI::App& verb) {
+    std::vector<std::string> options;
+    for (const CLI::Option* option : verb.get_options())
+        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    for (const std::string& unknown : verb.remaining())
+        if (unknown.starts_with("--"))
+            return didYouMean(unknown.substr(0, unknown.find('=')), joined(options, " "));
+    return "";
 }
 
 // `walkcycle hero.dae --clip run` is short for `walkcycle view hero.dae --clip run`.
@@ -88,9 +105,7 @@ void insertView(std::vector<std::string>& arguments, const std::vector<Command>&
         !first.empty() && first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
     std::error_code ignored;
     if (looksLikeWord && first[0] != '-' && !std::filesystem::exists(first, ignored))
-        throw UsageError(
-            "'" + first +
-            "' is neither a file nor a verb (view, render, info, check, pose, compare, explain)");
+        failAsNeitherFileNorVerb(commands, first);
     arguments.insert(arguments.begin(), "view");
 }
 
@@ -98,14 +113,15 @@ int run(std::vector<std::string> arguments) {
     const std::vector<Command> commands = allCommands();
     insertView(arguments, commands);
     CLI::App app(kAbout, "walkcycle");
+    CLI::App* verb = nullptr;
     app.footer(kExamples);
     app.set_version_flag("--version", versionText);
     app.require_subcommand(1);
     int exitCode = kFine;
-    const bool forHelp = !isVerb(commands, arguments.front());  // which is about all of them
+    const bool forHelp = !isVerb(commands, arguments.front());  // of all verbs
     for (const Command& command : commands) {
         if (!forHelp && command.name != arguments.front()) continue;
-        CLI::App* verb = app.add_subcommand(command.name, command.summary);
+        verb = app.add_subcommand(command.name, command.summary);
         Arguments options(*verb);
         command.declare(options);
         verb->final_callback([&exitCode, &command] { exitCode = command.run(); });
@@ -118,13 +134,15 @@ int run(std::vector<std::string> arguments) {
         app.exit(success, help, help);
         printOut(help.str());
     } catch (const CLI::ParseError& error) {
-        printError(std::string(error.what()) + " (walkcycle --help tells what there is)");
+        const bool isUnknown = !forHelp && dynamic_cast<const CLI::ExtrasError*>(&error);
+        printError(error.what() + (isUnknown ? nearestOption(*verb) : std::string()) + " (walkcycle " +
+                   (forHelp ? "" : verb->get_name() + " ") + "--help lists what there is)");
         return kWrongUsage;
     }
     return exitCode;
 }
 
-// A file that cannot even be opened counts as wrong usage; one that holds nothing to show, as faulty.
+// A file that cannot be opened counts as wrong usage; a file that holds nothing to show, as faulty.
 int exitCodeOf(const LoadError& error) {
     const bool unreadable =
         !error.diagnostics.empty() && error.diagnostics.back().code == info(Code::FileUnreadable).id;
@@ -144,7 +162,7 @@ int runProgram(std::vector<std::string> arguments) {
     } catch (const FileError& error) {
         printError(error.what());
         return kWrongUsage;
-    } catch (const LoadError& error) {  // said already
+    } catch (const LoadError& error) {  // printed already
         return exitCodeOf(error);
     } catch (const StrictFailure&) {
         return kFaultsFound;

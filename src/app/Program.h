@@ -5,7 +5,8 @@
 
 namespace walkcycle {
 
-// The program `walkcycle`: picks the verb, runs it, and turns whatever is thrown into one line and an exit code.
+// The program `walkcycle`: finds the verb, runs it, and turns every exception into a one-line message and an
+// exit code.
 int runProgram(std::vector<std::string> arguments);
 
 }  // namespace walkcycle

@@ -12,6 +12,7 @@
 #include "app/LoadArguments.h"
 #include "app/Numbers.h"
 #include "app/PictureFile.h"
+#include "app/SharedOptions.h"
 #include "app/Sheet.h"
 #include "app/Shots.h"
 #include "platform/NoGraphicsDevice.h"
@@ -29,43 +30,42 @@ struct RenderArguments {
     ShotList shots;
     CameraChoice camera;
     RenderOptions look;
-    std::string file, output, clip, lights = "studio", background, backend = "auto";
+    std::string file, output, clip, background, backend = "auto";
     std::pair<int, int> resolution{1280, 720};
     int samples = 4;
     bool noBackground = false, noGrid = false;
 };
 
-void declareLook(RenderArguments& options, Arguments& arguments) {
+void declareLookGroup(RenderArguments& options, Arguments& arguments) {
     arguments.group("Look");
-    arguments.choice("--lights", {"studio", "file"},
-                     "Our own light, or the document's lights and materials as they are", options.lights);
-    arguments.option("--background", "#rrggbb", "One colour behind it all", options.background);
-    arguments.flag("--no-background", "Transparent: straight alpha", options.noBackground);
-    arguments.flag("--no-grid", "No ground", options.noGrid);
-    arguments.flag("--skeleton", "Joints on top", options.look.skeleton);
-    arguments.flag("--wireframe", "Edges on top", options.look.wireframe);
+    declareLook(arguments, options.look);
+    arguments.option("--background", "#rrggbb", "One colour as the background", options.background);
+    arguments.flag("--no-background", "No background: transparent, with straight alpha",
+                   options.noBackground);
+    arguments.flag("--no-grid", "No grid on the ground", options.noGrid);
     arguments.option(
-        "--samples", "N", "Samples per pixel, 1 to 64 (4); beyond what the device has, in several passes",
+        "--samples", "N",
+        "Samples per pixel, 1 to 64 (4); more than the device has are drawn in several passes",
         [&options](const std::string& text) { options.samples = parseInteger(text, "--samples", 1, 64); });
 }
 
 void declare(RenderArguments& options, Arguments& arguments) {
-    arguments.positional("FILE", "The document; - is standard input", options.file,
-                         Arguments::Need::Required);
-    arguments.option("--output,-o", "FILE",
-                     "out.png, out.webp, out_{frame:04}.png for several, or - (PNG to standard output)",
-                     options.output);
+    declareDocument(arguments, options.file);
+    arguments.option(
+        "--output,-o", "FILE",
+        "out.png, out.webp, out_{frame:04}.png for several pictures, or - (PNG to standard output)",
+        options.output);
     arguments.option("--resolution", "W,H", "Size of the picture in pixels (1280,720)",
                      [&options](const std::string& text) {
                          const char separator = text.find(',') == std::string::npos ? 'x' : ',';
                          options.resolution = parsePair(text, separator, "--resolution", kMostPixelsASide);
                      });
-    arguments.option("--clip", "NAME|N|all", "The clip to draw; `all` is the whole timeline", options.clip);
+    declareClip(arguments, options.clip);
     arguments.choice("--backend", {"auto", "egl", "glfw"},
-                     "Draw without a display, or through a hidden window", options.backend);
+                     "Draw without a display (egl), or through a hidden window (glfw)", options.backend);
     options.shots.declare(arguments);
     options.camera.declare(arguments);
-    declareLook(options, arguments);
+    declareLookGroup(options, arguments);
     options.load.declare(arguments);
     arguments.examples(
         "  walkcycle render hero.dae -o hero.png --resolution 640,480\n"
@@ -76,7 +76,6 @@ void declare(RenderArguments& options, Arguments& arguments) {
 
 RenderOptions lookOf(const RenderArguments& options) {
     RenderOptions look = options.look;
-    look.lights = options.lights == "file" ? Lighting::File : Lighting::Studio;
     look.grid = !options.noGrid && look.lights == Lighting::Studio;
     if (!options.background.empty()) {
         look.background = Background::Color;
@@ -86,17 +85,17 @@ RenderOptions lookOf(const RenderArguments& options) {
     return look;
 }
 
-// Everything that the command line alone can be wrong in, before the work begins.
+// Checks what can be wrong in the command line alone, before any work begins.
 FramePattern checkedOutput(const RenderArguments& options) {
     if (options.output.empty())
-        throw UsageError("where to? give --output picture.png, or - for standard output");
+        throw UsageError("there is no output: give --output picture.png, or --output - for standard output");
     if (!isPictureName(options.output))
         throw UsageError("--output: '" + options.output +
-                         "' is no picture that can be written: .png or .webp");
+                         "' is not a .png or .webp, which are the pictures that can be written");
     return FramePattern(options.output);
 }
 
-// Draws shots, each as large as asked for.
+// Draws the shots of one call, all in the same size.
 class Photographer {
 public:
     Photographer(const RenderArguments& options, AnimatedModel& model, int width, int height)
@@ -156,8 +155,8 @@ void takeAll(const RenderArguments& options, AnimatedModel& model, const std::ve
     }
 }
 
-// The device is opened while the file is read: both take their time, and neither needs the other. What is wrong
-// with the file is said first.
+// Opens the graphics device while the file is loaded, because both take time and neither needs the other.
+// Errors of the file come before those of the device.
 class Opening {
 public:
     explicit Opening(const RenderArguments& options) {
@@ -176,7 +175,7 @@ public:
     }
 
 private:
-    // Never closed: that takes the driver longer than it takes the system to clear up when the process ends.
+    // Never closed: the driver takes longer for that than the system does when the process ends.
     static inline Graphics* graphics_ = nullptr;
     std::exception_ptr noDevice_;
 
@@ -194,7 +193,7 @@ int run(const RenderArguments& options) {
     const std::vector<Shot> shots = options.shots.shots(clip, options.clip);
     if (shots.size() > 1 && !output.hasFrame() && !options.shots.isSheet())
         throw UsageError("--output: " + std::to_string(shots.size()) +
-                         " pictures need a name with {frame} in it, or --sheet");
+                         " pictures need a name with {frame}, or --sheet");
 
     const Graphics& graphics = opening.graphics();
     if (options.load.verbose) printNote(graphics.description());
@@ -216,7 +215,7 @@ int run(const RenderArguments& options) {
 
 Command renderCommand() {
     const auto options = std::make_shared<RenderArguments>();
-    return {"render", "Pictures of a model, also without a display",
+    return {"Pictures of a model, even without a display",
             [options](Arguments& arguments) { declare(*options, arguments); },
             [options] { return run(*options); }};
 }

@@ -7,11 +7,11 @@
 
 namespace walkcycle {
 
-// One picture made of several: columns by rows of equal cells, filled row by row. What does not divide evenly stays
-// empty at the right and the bottom.
+// One picture made of several: a grid of equal cells, filled row by row. If the size does not divide evenly,
+// the rest stays empty at the right and the bottom.
 class Sheet {
 public:
-    // Throws UsageError where the cells would have no pixels.
+    // Throws UsageError if a cell would have no pixels.
     Sheet(std::pair<int, int> size, std::pair<int, int> columnsAndRows);
 
     int cellWidth() const { return cellWidth_; }

@@ -7,6 +7,7 @@
 #include "app/ExitCode.h"
 #include "app/LoadArguments.h"
 #include "app/Numbers.h"
+#include "app/SharedOptions.h"
 #include "app/Viewer.h"
 #include "platform/NoGraphicsDevice.h"
 
@@ -20,7 +21,6 @@ struct ViewOptions {
     double time = 0.0, speed = 1.0;
     bool watch = false, hasTime = false;
     RenderOptions look;
-    std::string lights = "studio";
 };
 
 void declare(ViewOptions& options, Arguments& arguments) {
@@ -28,20 +28,20 @@ void declare(ViewOptions& options, Arguments& arguments) {
                          Arguments::Need::Optional);
     arguments.options("--anim", "FILE", "Clips from another file with the same joint names; may be repeated",
                       options.animationFiles);
-    arguments.option("--clip", "NAME|N", "The clip to begin with; `all` is the whole timeline", options.clip);
-    arguments.option("--time,-t", "S",
-                     "Begin there, in seconds of the document's timeline (of the clip with --clip)",
-                     [&options](const std::string& text) {
-                         options.time = parseNumber(text, "--time");
-                         options.hasTime = true;
-                     });
-    arguments.option("--speed", "X", "How fast; below zero backwards (1)",
+    declareClip(arguments, options.clip);
+    arguments.option(
+        "--time,-t", "S",
+        "Where to begin, in seconds on the document's timeline; with --clip, from the clip's start",
+        [&options](const std::string& text) {
+            options.time = parseNumber(text, "--time");
+            options.hasTime = true;
+        });
+    arguments.option("--speed", "X", "Speed of playing; below zero, backwards (1)",
                      [&options](const std::string& text) { options.speed = parseNumber(text, "--speed"); });
-    arguments.choice("--loop", {"once", "loop", "pingpong"}, "What happens at the clip's end", options.loop);
-    arguments.flag("--watch", "Load the file again whenever it changes", options.watch);
-    arguments.choice("--lights", {"studio", "file"}, "Our own light, or the document's", options.lights);
-    arguments.flag("--skeleton", "Joints on top", options.look.skeleton);
-    arguments.flag("--wireframe", "Edges on top", options.look.wireframe);
+    arguments.choice("--loop", {"once", "loop", "pingpong"},
+                     "At the clip's end: stop, start again, or play backwards (loop)", options.loop);
+    arguments.flag("--watch", "Load the file again when it changes", options.watch);
+    declareLook(arguments, options.look);
     options.load.declare(arguments);
     arguments.examples(
         std::string(
@@ -50,12 +50,12 @@ void declare(ViewOptions& options, Arguments& arguments) {
         viewerHelp());
 }
 
-// The document with the clips of the other files behind its own.
+// The document, with the clips of the --anim files after its own.
 Model loadWithClips(const ViewOptions& options, const std::string& file) {
     Model model = options.load.load(file);
     for (const std::string& name : options.animationFiles) {
         const std::vector<Animation> clips = borrowClips(options.load.load(name), model);
-        if (clips.empty()) throw UsageError("--anim: '" + name + "' moves no joint that '" + file + "' has");
+        if (clips.empty()) throw UsageError("--anim: '" + name + "' moves no joint of '" + file + "'");
         model.animations.insert(model.animations.end(), clips.begin(), clips.end());
     }
     return model;
@@ -66,7 +66,6 @@ int run(const ViewOptions& options) {
     settings.file = options.file.empty() ? builtInModel() : options.file;
     settings.clip = options.clip;
     settings.look = options.look;
-    settings.look.lights = options.lights == "file" ? Lighting::File : Lighting::Studio;
     settings.watch = options.watch;
     settings.playback.speed = options.speed;
     settings.playback.mode = options.loop == "once"       ? LoopMode::Once
@@ -75,7 +74,7 @@ int run(const ViewOptions& options) {
     settings.load = [&options](const std::string& file) { return loadWithClips(options, file); };
     Model first = loadWithClips(options, settings.file);
     const Animation* clip = findClip(first, options.clip);
-    // Without --time a clip begins at its own start, wherever on the timeline that is.
+    // Without --time, a clip begins at its own start, wherever that is on the timeline.
     settings.startTime =
         options.hasTime || !clip ? options.time : clip->startSeconds - documentTime(0.0, clip, options.clip);
     try {
@@ -93,7 +92,7 @@ int run(const ViewOptions& options) {
 
 Command viewCommand() {
     const auto options = std::make_shared<ViewOptions>();
-    return {"view", "A window that plays the model",
+    return {"A window that plays the model",
             [options](Arguments& arguments) { declare(*options, arguments); },
             [options] { return run(*options); }};
 }

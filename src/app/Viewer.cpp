@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "app/Clips.h"
+#include "app/FormatNumber.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
-#include "app/Numbers.h"
 #include "loaders/Diagnostics.h"
 
 namespace walkcycle {

@@ -19,8 +19,8 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-// Names that would lead out of a folder are no names of members; nothing is ever unpacked to disk, but a path
-// that a document resolves must not be answered by them either.
+// Entries whose names lead out of the archive are skipped. Nothing is unpacked to disk, but a path in a
+// document must not resolve to such an entry either.
 bool isHarmless(const std::string& name) {
     if (name.empty() || name.front() == '/' || name.find('\0') != std::string::npos) return false;
     for (std::size_t start = 0; start <= name.size();) {
@@ -31,7 +31,7 @@ bool isHarmless(const std::string& name) {
     return true;
 }
 
-// Rounded up, so that a ratio is over a limit only where it is.
+// Rounded up, so that a ratio just over a limit counts as over it.
 std::uint64_t timesItsSize(std::uint64_t unpacked, std::uint64_t packed) {
     return packed == 0 ? UINT64_MAX : unpacked / packed + (unpacked % packed != 0);
 }
@@ -53,7 +53,8 @@ std::string withAmpersands(std::string_view xml) {
     return text;
 }
 
-// The member that <dae_root> of a manifest means; the only thing the manifest says, so no parser is needed.
+// The entry that a manifest's <dae_root> names. A manifest says nothing else, so a search for the tag is
+// enough.
 std::string daeRoot(Bytes manifest) {
     std::string xml = withoutComments(toUtf8(std::move(manifest)));
     const std::size_t element = xml.find("<dae_root");
@@ -135,7 +136,7 @@ Bytes Archive::Impl::unpack(const std::string& name, const Member& member) const
     if (!file) throw ArchiveError("'" + name + "' cannot be unpacked: " + zip_strerror(zip));
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> owner(file, zip_fclose);
     Bytes unpacked;
-    while (unpacked.size() <= member.size) {  // grows with what comes, not with what was claimed
+    while (unpacked.size() <= member.size) {  // grows with the bytes that arrive, not with the claimed size
         const std::size_t used = unpacked.size();
         unpacked.resize(std::min<std::uint64_t>(member.size + 1, used + kMegabyte));
         const zip_int64_t got = zip_fread(file, unpacked.data() + used, unpacked.size() - used);
@@ -181,7 +182,7 @@ std::string Archive::rootDocument(std::string* doubt) const {
         reason =
             root.empty() ? "manifest.xml names no document" : "'" + root + "' of manifest.xml is not in it";
     }
-    const std::string* best = nullptr;  // the first of those that lie least deep
+    const std::string* best = nullptr;  // the first one in the fewest folders
     const auto depth = [](const std::string& name) { return std::count(name.begin(), name.end(), '/'); };
     for (const std::string& name : names()) {
         if (!lowerCase(name).ends_with(".dae")) continue;

@@ -9,7 +9,7 @@
 namespace walkcycle {
 
 struct ArchiveLimits {
-    std::uint64_t maxTotalBytes = std::uint64_t{1} << 30;  // of all that is unpacked
+    std::uint64_t maxTotalBytes = std::uint64_t{1} << 30;  // unpacked, all entries together
     std::uint64_t maxEntries = 10000;
     std::uint64_t maxRatio = 200;  // unpacked / packed, for entries over a megabyte
 };
@@ -17,7 +17,7 @@ struct ArchiveLimits {
 struct ArchiveError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-// One of ArchiveLimits is passed.
+// The archive exceeds one of ArchiveLimits.
 struct ArchiveTooLarge : ArchiveError {
     ArchiveTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ArchiveLimits::*passed)
         : ArchiveError(what), amount(found), limit(passed) {}
@@ -25,7 +25,7 @@ struct ArchiveTooLarge : ArchiveError {
     std::uint64_t ArchiveLimits::*limit;
 };
 
-// A .zae (zip) archive in memory (libzip). Names are as stored, '/' between folders.
+// A .zae (zip) archive in memory, read with libzip. Names are as stored, with '/' between folders.
 class Archive {
 public:
     Archive(Bytes bytes, const ArchiveLimits& limits);
@@ -35,7 +35,8 @@ public:
     const std::vector<std::string>& names() const;
     bool contains(const std::string& name) const;
     Bytes read(const std::string& name) const;  // throws ArchiveError
-    // What manifest.xml's <dae_root> names, else the only or first .dae; then `doubt` says why that is a guess.
+    // The document that <dae_root> of manifest.xml names; without one, the .dae that lies in the fewest
+    // folders. Where that is a guess, `doubt` says why.
     std::string rootDocument(std::string* doubt = nullptr) const;
 
 private:

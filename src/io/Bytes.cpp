@@ -14,7 +14,7 @@ constexpr std::align_val_t kLargePage{std::size_t{2} << 20};
 void* allocateLarge(std::size_t bytes) {
     void* const memory = ::operator new(bytes, kLargePage);
 #ifdef MADV_HUGEPAGE
-    ::madvise(memory, bytes, MADV_HUGEPAGE);  // an advice: without it all is as it was
+    ::madvise(memory, bytes, MADV_HUGEPAGE);  // a hint: where it has no effect, pages stay small
 #endif
     return memory;
 }

@@ -9,12 +9,13 @@
 
 namespace walkcycle {
 
-// Memory for as much as a large file holds, in large pages where the system has them: to get it in small ones takes as
-// long as to read it. Throws std::bad_alloc.
+// Memory for a large file, in huge pages if the system has them: with pages of 4 KB, the page faults take as
+// long as reading the file. Throws std::bad_alloc.
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
-// Leaves new elements as they are: what is read into at once need not be zeroed before.
+// An allocator that leaves new elements uninitialised: a buffer that is filled by a read need not be zeroed
+// before.
 template <typename T>
 struct UnfilledAllocator {
     using value_type = T;
@@ -45,7 +46,8 @@ struct UnfilledAllocator {
     friend bool operator==(const UnfilledAllocator&, const UnfilledAllocator&) { return true; }
 };
 
-// What a file or a picture holds. (resize(n) does not fill what it adds; resize(n, 0) does.)
+// The bytes of a file or a picture. resize(n) leaves the bytes that it adds uninitialised; resize(n, 0)
+// zeroes them.
 using Bytes = std::vector<std::uint8_t, UnfilledAllocator<std::uint8_t>>;
 
 }  // namespace walkcycle

@@ -47,7 +47,7 @@ private:
     int fd_;
 };
 
-// The system would take the path only up to the zero byte, and open another file than the one named.
+// The system would read the path up to the zero byte, and open another file than the named one.
 void requirePlainPath(const char* what, const std::string& path) {
     if (path.empty()) fail(what, path, "the name is empty");
     if (path.find('\0') != std::string::npos)
@@ -61,7 +61,7 @@ const char* kindOfFile(mode_t mode) {
     return "it is a device";
 }
 
-// Reads to the end; what the system says of the size is a hint only, since files may grow.
+// Reads to the end of the file. The size that the system tells is a hint only, because files may grow.
 Bytes readAll(int fd, std::uint64_t sizeHint, std::uint64_t maxBytes, const std::string& path) {
     Bytes bytes;
     std::size_t used = 0;
@@ -79,7 +79,7 @@ Bytes readAll(int fd, std::uint64_t sizeHint, std::uint64_t maxBytes, const std:
     return bytes;
 }
 
-// Half of an old file and half of a new one is neither.
+// Fails if the file changed during the read: half of an old file and half of a new one is neither.
 void requireUnchanged(int fd, const struct stat& before, std::size_t got, const std::string& path) {
     struct stat after {};
     if (::fstat(fd, &after) != 0) failWithErrno("read", path);
@@ -99,8 +99,8 @@ void writeAll(int fd, std::span<const std::uint8_t> bytes, const std::string& pa
     }
 }
 
-// Names of temporary files, where a signal handler can find them. Whoever takes a name out of its slot owns
-// it.
+// Names of temporary files, where a signal handler can find them. The code that takes a name out of its slot
+// owns it.
 std::array<std::atomic<char*>, 16> unfinishedFiles;
 
 class TemporaryFile {
@@ -130,7 +130,7 @@ private:
     bool finished_ = false;
 };
 
-// What a link leads to, so that renaming replaces the file and not the link.
+// The target of a symbolic link, so that renaming replaces the file and not the link.
 std::string linkTarget(const std::string& path) {
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
@@ -144,7 +144,7 @@ std::string temporaryNameBeside(const std::string& path) {
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
     std::string name;
     struct stat status {};
-    do {  // pids come again: a program that was killed may have left its own behind
+    do {  // process ids are reused: a program that was killed may have left a file of this name
         name = folder + ".walkcycle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
     } while (::lstat(name.c_str(), &status) == 0);
     return name;
@@ -175,7 +175,7 @@ void writeBesideAndRename(const std::string& path, std::span<const std::uint8_t>
 
 namespace {
 
-// A regular file, opened to be read; says what is known of it.
+// Opens a regular file for reading, and fills `status`.
 Descriptor openRegular(const std::string& path, std::uint64_t maxBytes, struct stat& status) {
     requirePlainPath("read", path);
     if (::stat(path.c_str(), &status) != 0) failWithErrno("read", path);
@@ -219,7 +219,7 @@ void writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
     if (::stat(target.c_str(), &status) != 0) return writeBesideAndRename(target, bytes, nullptr);
     if (S_ISDIR(status.st_mode)) fail("write", path, kindOfFile(status.st_mode));
     if (!S_ISREG(status.st_mode)) return writeThrough(target, bytes);
-    // Renaming asks only the folder; a file that its owner made read-only is to stay.
+    // Renaming needs permission for the folder only. Ask for the file, too, so that a read-only file is kept.
     if (::access(target.c_str(), W_OK) != 0) failWithErrno("write", path);
     writeBesideAndRename(target, bytes, &status.st_mode);
 }

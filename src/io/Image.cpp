@@ -15,10 +15,10 @@
 
 namespace {
 
-// The largest block that stb_image may ask for: it believes the lengths that a file claims, so that some two hundred
-// bytes of PNG ask for two gigabytes.
+// The largest block that stb_image may allocate. It trusts the lengths in a file: a PNG of 200 bytes can make
+// it ask for two gigabytes.
 thread_local std::size_t largestBlock = 0;
-// It was not, but there is no memory left: no fault of the file's.
+// An allowed block could not be allocated: memory is exhausted, and the file is not at fault.
 thread_local bool outOfMemory = false;
 
 void* allocateBlock(std::size_t bytes) {
@@ -85,14 +85,15 @@ void dropEmptyAlpha(Image& image) {
     image.hasAlpha = false;
 }
 
-bool isTga(ByteSpan bytes) {  // TGA has no signature: what nothing else claims
+bool isTga(ByteSpan bytes) {  // TGA has no signature: a file of no other format
     const std::array<ByteSpan::value_type, 5> firsts = {0x89, 'B', 'G', '8', 'P'};
     for (const std::uint8_t first : firsts)
         if (bytes[0] == first) return false;
     return true;
 }
 
-// An honest file's largest block is its pixels with 16 bits a channel, or its packed bytes; either may have doubled once.
+// The largest block for an intact file holds its pixels with 16 bits a channel, or its packed bytes;
+// stb_image may have doubled either of them once.
 constexpr std::size_t kBlockMargin = 1 << 20, kBlockPerByte = 4, kBlockPerPixel = 16;
 
 Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
@@ -116,7 +117,7 @@ Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
     return image;
 }
 
-// With its last chunk in place, which one that was cut short has not.
+// Whether the PNG has its first and its last chunk; a file that was cut short has no last one.
 bool isWholePng(ByteSpan bytes) {
     constexpr std::array<std::uint8_t, 8> start{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     constexpr std::array<std::uint8_t, 12> end{0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};

@@ -18,7 +18,7 @@ struct Image {
     Bytes rgba;
 };
 
-// How large a picture may be before decodeImage refuses it, so that a few bytes cannot cost gigabytes.
+// The largest picture that decodeImage accepts, so that a file of a few bytes cannot cost gigabytes.
 struct ImageLimits {
     std::uint64_t maxDimension = 16384;
     std::uint64_t maxPixels = 64 * 1024 * 1024;
@@ -27,7 +27,7 @@ struct ImageLimits {
 struct ImageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-// One of ImageLimits is passed.
+// The picture exceeds one of ImageLimits.
 struct ImageTooLarge : ImageError {
     ImageTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ImageLimits::*passed)
         : ImageError(what), amount(found), limit(passed) {}
@@ -35,10 +35,11 @@ struct ImageTooLarge : ImageError {
     std::uint64_t ImageLimits::*limit;
 };
 
-// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError saying what is wrong.
+// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError, which says what is wrong.
 Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
-// The same for who needs no pixels: where a file's kind tells its size apart from them, they are not decoded.
+// The same for callers that need the size alone: where the header tells it, pixels are not decoded and `rgba`
+// is empty.
 Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
 Bytes encodePng(const Image& image);

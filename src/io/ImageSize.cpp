@@ -5,8 +5,8 @@
 namespace walkcycle {
 namespace {
 
-// A compressed pixel takes a share of a byte, but there is an end to it: PNG's deflate packs at most 1032 to
-// 1, so a byte gives at most some 8,000 one-bit pixels.
+// A byte holds many compressed pixels, but not any number: PNG's deflate packs at most 1032 to 1, so a byte
+// gives at most some 8,000 one-bit pixels.
 constexpr std::int64_t kMostPixelsPerByte = 16384;
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 namespace walkcycle {
 
-// Throws ImageError unless a picture of this size may be made. `bytes` is the size of the file: one that claims more
-// pixels than any packing gives is cut short, or a bomb.
+// Throws ImageError if the size is zero or over a limit, or if `bytes`, the size of the file, cannot hold so
+// many pixels under any compression: such a file is cut short, or a decompression bomb.
 void checkSize(std::int64_t width, std::int64_t height, std::size_t bytes, const ImageLimits& limits);
 
-// All of it transparent black.
+// A picture of transparent black.
 Image emptyImage(int width, int height, bool hasAlpha);
 
 }  // namespace walkcycle

@@ -12,7 +12,8 @@
 namespace walkcycle {
 namespace {
 
-// Level 1 writes a picture of 640 x 480 in 3 ms, and takes the same bytes on every machine with the same libdeflate.
+// Level 1 writes a picture of 640 x 480 in 3 ms, and gives the same bytes on every machine with the same
+// libdeflate.
 constexpr int kDeflateLevel = 1;
 constexpr std::uint8_t kFilterUp = 2;  // each byte minus the one above: flat areas become zeros
 
@@ -44,7 +45,7 @@ Bytes header(const Image& image, bool alpha) {
     return data;
 }
 
-// A row as PNG wants it before compression: a filter byte, then RGB or RGBA.
+// A row of a PNG before compression: a filter byte, then RGB or RGBA.
 template <std::size_t channels>
 void filterRow(const std::uint8_t* row, const std::uint8_t* above, std::size_t width, std::uint8_t* to) {
     *to++ = kFilterUp;
@@ -103,7 +104,7 @@ Bytes encodeWebp(const Image& image) {
     WebPPicture picture;
     if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, 1) || !WebPPictureInit(&picture))
         throw ImageError("this libwebp is of another version than the one Walkcycle was built with");
-    config.exact = 1;  // keep colours also where nothing covers them
+    config.exact = 1;  // keep the colours of transparent pixels
     picture.use_argb = 1;
     picture.width = image.width;
     picture.height = image.height;

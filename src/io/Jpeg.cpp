@@ -12,7 +12,7 @@ namespace {
 
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
-// Adobe's programs, which write CMYK files, store how much light is left: 255 is no ink.
+// CMYK files come from Adobe's programs, which store inverted values: 255 is no ink.
 void cmykToRgba(Bytes& pixels) {
     for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -21,7 +21,7 @@ void cmykToRgba(Bytes& pixels) {
     }
 }
 
-// Small faults (bytes between markers, say) leave a picture; one that ends too soon does not.
+// Small faults, such as bytes between markers, leave a picture; a file that ends too soon does not.
 bool isFatal(const Decoder& decoder) {
     return tjGetErrorCode(decoder.get()) == TJERR_FATAL ||
            std::string_view(tjGetErrorStr2(decoder.get())).find("Premature end") != std::string_view::npos;

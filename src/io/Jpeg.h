@@ -7,7 +7,7 @@ namespace walkcycle {
 bool looksLikeJpeg(std::span<const std::uint8_t> bytes);
 
 // JPEG of every kind: baseline and progressive, grey, YCbCr and CMYK. Throws ImageError.
-// (By libjpeg-turbo: stb_image as packaged writes past a table when a file's Huffman codes are damaged.)
+// Uses libjpeg-turbo, because Debian's stb_image writes past a table when a file's Huffman codes are damaged.
 Image decodeJpeg(std::span<const std::uint8_t> bytes, const ImageLimits& limits);
 
 }  // namespace walkcycle

@@ -77,8 +77,8 @@ std::string fromWindows1252(ByteSpan bytes) {
     return text;
 }
 
-// How many bytes the character at `i` takes; 0 where it is not valid UTF-8 (overlong forms and surrogates are
-// not).
+// The number of bytes of the character at `i`; 0 if it is not valid UTF-8 (overlong forms and surrogates are
+// invalid).
 std::size_t utf8Length(ByteSpan bytes, std::size_t i) {
     const std::uint8_t lead = bytes[i];
     const std::size_t length = lead < 0x80                   ? 1
@@ -114,7 +114,7 @@ struct Span {
     std::size_t begin = 0, end = 0;
 };
 
-// Where the encoding's name stands in <?xml version="1.0" encoding="...">; empty where there is none.
+// The encoding's name in <?xml version="1.0" encoding="...">; empty if there is none.
 Span declaredEncoding(std::string_view text) {
     const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     const std::string_view head = text.substr(start, 1024);
@@ -143,7 +143,8 @@ bool isLatin1(const std::string& name) {
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
-// UTF-8, unless the declaration says Latin-1, or the bytes say that it is not.
+// Decodes Latin-1 if the declaration names it, else UTF-8; if the bytes are not valid UTF-8 and `guessed` is
+// given, Latin-1.
 std::string from8Bit(ByteSpan bytes, bool* guessed) {
     const std::string_view raw = viewOf(bytes);
     const Span span = declaredEncoding(raw);
@@ -176,8 +177,8 @@ std::string decode(ByteSpan bytes, bool* guessed) {
     return from8Bit(bytes, guessed);
 }
 
-// XML has no zero characters, and the parser would take the first one for the end. At the end itself they are
-// padding that some tools leave.
+// XML has no zero characters, and the parser would take the first one for the end of the text. Zeros at the
+// very end are padding that some tools write.
 void cutZeros(std::string& text) {
     while (!text.empty() && text.back() == '\0') text.pop_back();
     const std::size_t zero = text.find('\0');

@@ -42,8 +42,8 @@ bool startsWithDrive(std::string_view path) {
     return path.size() >= 2 && isLetter(path[0]) && path[1] == ':';
 }
 
-// "///home/x" is the absolute path /home/x, "///C:/x" the drive's C:/x; and where exporters wrote "//x.png",
-// x.png beside the document is meant, not a host of that name.
+// "///home/x" is the absolute path /home/x, "///C:/x" is C:/x on a drive. Exporters that write "//x.png" mean
+// x.png beside the document, not a host of that name.
 std::string_view pathOfFileScheme(std::string_view path) {
     if (!path.starts_with("//")) return path;
     path.remove_prefix(2);
@@ -69,7 +69,8 @@ Uri parseUri(std::string_view text) {
     std::string path(text);
     std::replace(path.begin(), path.end(), '\\', '/');
     uri.path = percentDecode(uri.scheme == "file" ? pathOfFileScheme(path) : path);
-    std::replace(uri.path.begin(), uri.path.end(), '\\', '/');  // exporters on Windows escape theirs as %5C
+    std::replace(uri.path.begin(), uri.path.end(), '\\',
+                 '/');  // exporters on Windows write backslashes as %5C
     return uri;
 }
 

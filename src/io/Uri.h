@@ -9,7 +9,7 @@ namespace walkcycle {
 // fragment "x".
 struct Uri {
     std::string scheme;    // lower case; empty for a relative reference
-    std::string path;      // percent escapes decoded, back slashes turned round
+    std::string path;      // percent escapes decoded, backslashes replaced by slashes
     std::string fragment;  // decoded
 };
 

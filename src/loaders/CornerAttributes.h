@@ -62,7 +62,7 @@ private:
     bool isWhole_ = true;
 };
 
-// One to four numbers, without the call that a copy of unknown length is.
+// Copies one to four numbers without a function call, which a copy of unknown length would be.
 inline void CornerAttributes::copyFew(const float* from, std::size_t count, float* to) {
     to[0] = from[0];
     if (count > 1) to[1] = from[1];
@@ -70,11 +70,11 @@ inline void CornerAttributes::copyFew(const float* from, std::size_t count, floa
     if (count > 3) to[3] = from[3];
 }
 
-// Here, since it is called for every corner of a mesh.
+// Inline: runs once per mesh corner.
 inline float* CornerAttributes::read(std::size_t corner) {
     const std::int32_t* indices = primitive_->corner(corner);
     isWhole_ = true;
-    values_[0] = values_[1] = values_[2] = 0.0f;  // the caller may have put a normal in for the last corner
+    values_[0] = values_[1] = values_[2] = 0.0f;  // the caller may have stored a made normal here for the previous corner
     for (Stream& stream : streams_) {
         const std::int32_t index = indices[stream.input->offset];
         const bool there = index >= 0 && static_cast<std::size_t>(index) < stream.count;

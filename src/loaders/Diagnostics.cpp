@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "loaders/MessageTemplate.h"
 #include "loaders/XmlNode.h"
 
 namespace walkcycle {
@@ -30,17 +31,9 @@ bool continuesCharacter(char c) {
 }
 
 std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
-    std::string filled;
-    for (const char* c = text; *c; ++c) {
-        if (c[0] == '{' && c[1] >= '0' && c[1] <= '9' && c[2] == '}') {
-            const auto index = static_cast<std::size_t>(c[1] - '0');
-            if (index < arguments.size()) filled += printable(arguments.begin()[index]);
-            c += 2;
-        } else {
-            filled += *c;
-        }
-    }
-    return filled;
+    return replacePlaceholders(text, [&](std::size_t index, std::string_view) {
+        return index < arguments.size() ? printable(arguments.begin()[index]) : std::string();
+    });
 }
 
 Diagnostic make(Severity severity, Code code, Diagnostics::Arguments arguments) {

@@ -31,7 +31,7 @@ struct CodeInfo {
     const char* id;    // "WC0207"
     const char* name;  // "WrongElement"
     Severity severity;
-    const char* text;  // with {0}, {1}, ...
+    const char* text;  // with placeholders, as is `cure`: see MessageTemplate.h
     const char* cause;
     const char* cure;
     // Where to click for it; empty where no author can do it there.

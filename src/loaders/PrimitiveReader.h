@@ -11,8 +11,8 @@
 
 namespace walkcycle {
 
-// One <triangles>, <polylist>, <polygons>, <trifans>, <tristrips>, <lines> or <linestrips>, all brought to the same
-// form: rings of corners. Fans and strips are cut into their triangles and lines here, since that is how they are meant.
+// One <triangles>, <polylist>, <polygons>, <trifans>, <tristrips>, <lines> or <linestrips>, in the same form
+// for all: rings of corners. Fans and strips are cut into their triangles and lines.
 struct PrimitiveCorners {
     XmlNode element;
     Primitive kind = Primitive::Triangles;
@@ -27,12 +27,12 @@ struct PrimitiveCorners {
 // Whether an element of this name is a primitive, lines included.
 bool isPrimitive(XmlNode element);
 
-// Reads the corners, not yet what they lead to: indices may be out of range. Where <p>, <vcount> and count disagree,
-// that is reported, and the faces that are whole are given.
+// Reads the indices of the corners without looking them up: they may be out of range. If <p>, <vcount> and
+// count disagree, reports that and returns the complete faces.
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context);
 
-// Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. (The primitive itself for
-// fans and strips, whose corners are not the file's.)
+// Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. For fans and strips,
+// that is the index from which the triangle's or line's corner was made.
 struct CornerPlace {
     XmlNode element;
     int line = 0;

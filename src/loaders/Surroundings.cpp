@@ -14,7 +14,7 @@ namespace walkcycle {
 namespace fs = std::filesystem;
 namespace {
 
-// A folder that cannot be told has nothing inside.
+// If the folder cannot be resolved (it is empty then), every path counts as outside it.
 bool isInside(const fs::path& path, const fs::path& folder) {
     if (folder.empty()) return false;
     const auto end = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first;
@@ -51,8 +51,9 @@ char lowerCase(char c) {
 
 }  // namespace
 
-// Absolute first: of a relative path that is not there weakly_canonical makes nothing absolute. That asks the system for
-// each step of the path, so a folder is looked up once; a last step that is no link has no say.
+// The path is made absolute first, because weakly_canonical leaves a relative path relative if nothing of it
+// exists. Resolving asks the system about each component, so the result for a folder is kept. The last
+// component is not resolved unless it is a symbolic link.
 fs::path Surroundings::trueLocation(const fs::path& path, std::error_code& error) const {
     const fs::path absolute = fs::absolute(path, error);
     if (error) return {};

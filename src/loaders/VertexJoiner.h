@@ -43,7 +43,7 @@ private:
     std::vector<std::uint32_t> table_;
 };
 
-// Here, since they are called for every corner of a mesh.
+// Inline: these run once per mesh corner.
 inline bool VertexJoiner::looksLike(std::uint32_t vertex, const float* wanted) const {
     const float* own = attributes(vertex);
     for (std::size_t i = 0; i < attributeCount_; ++i)

@@ -6,7 +6,7 @@
 namespace walkcycle {
 namespace {
 
-// Something hidden at rest may still show up while it plays, if a channel says when.
+// A node that is hidden at rest may become visible in an animation, if a channel changes its visibility.
 bool mayBeSeen(const Model& model, int node) {
     const auto isVisibilityOfNode = [node](const Parameter& parameter) {
         return parameter.kind == ParameterKind::NodeVisible && parameter.object == node;
@@ -26,7 +26,7 @@ Bounds bounds(const Model& model, const std::vector<glm::mat4>& modelTransforms,
     for (const MeshInstance& instance : model.instances) {
         if (!mayBeSeen(model, instance.node)) continue;
         skinning.positions(model, instance, modelTransforms, parameters, positions);
-        // Not every position of the file is drawn: some belong to nothing.
+        // Only positions of vertices are drawn; a file may have others.
         const MeshData& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
         for (const std::uint32_t position : mesh.vertexPositions) box.add(positions[position]);
     }

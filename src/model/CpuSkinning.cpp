@@ -23,7 +23,7 @@ float weightSum(const MorphTargets& morph, std::span<const float> parameters) {
     return sum;
 }
 
-// How much of what a run of morphs was given is left in their result: all of it, but for NORMALIZED layers.
+// The share of the input shape in the result of a stack of morphs: 1, unless morphs are NORMALIZED.
 float shareOfInput(const Model& model, std::span<const Deformer> morphs, std::span<const float> parameters) {
     float share = 1.0f;
     for (const Deformer& deformer : morphs) {
@@ -33,8 +33,8 @@ float shareOfInput(const Model& model, std::span<const Deformer> morphs, std::sp
     return share;
 }
 
-// Turns normals as `matrix` turns surfaces: the inverse transpose, up to a positive factor. Written with
-// cross products it also holds where the matrix flattens things and has no inverse.
+// The matrix that transforms normals: the inverse transpose of `matrix`, up to a positive factor. It is made
+// of cross products, so that it exists even if `matrix` flattens the mesh and has no inverse.
 glm::mat3 normalMatrix(const glm::mat4& matrix) {
     const glm::vec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
     const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
@@ -45,7 +45,7 @@ bool isMirror(const glm::mat4& matrix) {
     return glm::determinant(glm::mat3(matrix)) < 0.0f;
 }
 
-// The vertices of lines have no normal: theirs stays zero.
+// A zero normal stays zero: vertices of lines have none.
 glm::vec3 unit(const glm::vec3& normal) {
     const float length = glm::length(normal);
     return length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
@@ -105,8 +105,8 @@ bool shaderCanDeform(const Model& model, const MeshInstance& instance) {
     return morphs + 1 >= instance.deformers.size();
 }
 
-// One instance on its way through its deformers. The points are either in the mesh's own space, where morphs
-// work and skins start, or, after a skin, in model space.
+// An instance while its deformers are applied. Positions are in the mesh's own space, which morphs and skins
+// expect, or, after a skin, in model space.
 struct CpuSkinning::Work {
     const Model& model;
     const MeshInstance& instance;
@@ -114,11 +114,11 @@ struct CpuSkinning::Work {
     const std::vector<glm::mat4>& modelTransforms;
     std::span<const float> parameters;
     std::vector<glm::vec3>& positions;
-    std::vector<glm::vec3>* normals;  // to be deformed; null where nobody asks for them
-    std::vector<glm::vec3>* made;     // to be made when all is deformed; null where the mesh has its own
+    std::vector<glm::vec3>* normals;  // to be deformed; null if not needed
+    std::vector<glm::vec3>* made;     // to be computed from the deformed shape; null if the mesh has normals
     bool inModelSpace = false;
     bool wasSkinned = false;
-    bool mirrored = false;  // by the nodes between deformers, beside what skins do
+    bool mirrored = false;  // by the node's transform between deformers; skins are in mirrored_
 
     const glm::mat4& nodeTransform() const { return modelTransforms[index(instance.node)]; }
 
@@ -126,8 +126,8 @@ struct CpuSkinning::Work {
         for (glm::vec3& position : positions) position = glm::vec3(matrix * glm::vec4(position, 1.0f));
         if (isMirror(matrix)) mirrored = !mirrored;
         if (!normals) return;
-        const glm::mat3 turn = normalMatrix(matrix);
-        for (glm::vec3& normal : *normals) normal = unit(turn * normal);
+        const glm::mat3 forNormals = normalMatrix(matrix);
+        for (glm::vec3& normal : *normals) normal = unit(forNormals * normal);
     }
 
     void goToModelSpace() {
@@ -143,8 +143,8 @@ struct CpuSkinning::Work {
 
 void CpuSkinning::morph(Work& work, std::span<const Deformer> morphs) {
     work.goToMeshSpace();
-    // Targets are differences to the mesh of the file. A NORMALIZED morph of something else, a skinned mesh,
-    // blends from that to the mesh of the file first.
+    // Deltas are differences to the file's mesh. If a NORMALIZED morph follows a skin, its input is not the
+    // file's mesh, so blend from the input to the file's mesh first.
     if (work.wasSkinned) {
         const float share = shareOfInput(work.model, morphs, work.parameters);
         mixWith(work.positions, work.mesh.positions, share);
@@ -176,8 +176,8 @@ void CpuSkinning::skin(Work& work, const Deformer& deformer) {
     work.wasSkinned = true;
 }
 
-// Creases are where the deformed shape has them: what is flat at rest may be folded now. A surface that is turned inside
-// out as a whole still looks outside.
+// Creases are those of the deformed shape: a part that is flat at rest may be folded now. If a deformer
+// mirrors the surface, its normals are flipped, so that they point outside again.
 void CpuSkinning::makeNormals(Work& work) {
     const MadeNormals& mesh = work.mesh.madeNormals;
     const std::vector<glm::vec3>& normals =
@@ -188,7 +188,7 @@ void CpuSkinning::makeNormals(Work& work) {
         const bool inside = mirrored_[work.mesh.vertexPositions[vertex]] != work.mirrored;
         (*work.made)[vertex] = inside ? -normals[c] : normals[c];
     }
-    work.normals = work.made;  // what is still to come turns them too
+    work.normals = work.made;  // the last transform applies to them, too
 }
 
 void CpuSkinning::deform(Work& work) {
@@ -233,7 +233,7 @@ void CpuSkinning::vertices(const Model& model, const MeshInstance& instance,
               makes ? nullptr : &outNormals,
               makes ? &outNormals : nullptr};
     deform(work);
-    if (makes)  // all else is of unit length by now
+    if (makes)  // other normals have unit length already
         for (glm::vec3& normal : outNormals) normal = unit(normal);
     outPositions.resize(mesh.vertexCount());
     for (std::size_t v = 0; v < outPositions.size(); ++v) outPositions[v] = work_[mesh.vertexPositions[v]];

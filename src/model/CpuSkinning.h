@@ -11,7 +11,7 @@
 
 namespace walkcycle {
 
-// An axis-aligned box in model space. Empty until something is added.
+// An axis-aligned box in model space. Empty until a point is added.
 struct Bounds {
     glm::vec3 min{1e30f}, max{-1e30f};
 
@@ -22,22 +22,23 @@ struct Bounds {
     float diagonal() const;
 };
 
-// The coefficient of every delta of a run of morphs (`deformers`, innermost first, all of Kind::Morph): the
-// result is base + sum of coefficients[i] * delta i, targets counted through the stack in order. NORMALIZED
-// layers scale what lies beneath them by (1 - sum of w). Resizes `coefficients`, reusing its memory.
+// The coefficient of each target of a stack of morphs (`deformers`, innermost first, all of Kind::Morph), so
+// that the result is base + sum of coefficients[i] * delta i, with the targets of all morphs in order. A
+// NORMALIZED morph scales the coefficients of the morphs before it by (1 - sum of its weights). Resizes
+// `coefficients`, and reuses its memory.
 void morphCoefficients(const Model& model, std::span<const Deformer> deformers,
                        std::span<const float> parameters, std::vector<float>& coefficients);
 
-// Whether the normals of an instance are made anew for each shape that its deformers give it. (Not where a bump texture
-// needs tangents, which are not made anew.)
+// Whether the normals of an instance are computed anew for each shape that its deformers give it. (They are
+// not if a bump texture needs tangents, which are not computed anew.)
 bool makesNormals(const Model& model, const MeshInstance& instance);
 
-// Which of an instance's deformers the vertex shader can do: leading morphs, then at most one skin, and normals that turn
-// with the vertices. If false, the instance is deformed here and uploaded.
+// Whether the vertex shader can apply all deformers of an instance: morphs first, then at most one skin, and
+// normals that are transformed with the vertices. If not, the instance is deformed on the CPU and uploaded.
 bool shaderCanDeform(const Model& model, const MeshInstance& instance);
 
-// The shader's sum in plain C++: the oracle of the GPU tests, and the source of bounds, poses and baked
-// meshes. Results are in model space (world). Keeps its work memory between calls.
+// What the vertex shader does, in plain C++: tests compare the GPU with it, and bounds, poses and baked
+// meshes come from it. Results are in model space. Keeps its work memory between calls.
 class CpuSkinning {
 public:
     // Deforms the instance's positions (one result per MeshData::positions).
@@ -45,7 +46,7 @@ public:
                    const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
                    std::vector<glm::vec3>& out);
 
-    // Deforms what is drawn: one position and one unit normal per vertex.
+    // Deforms the vertices: one position and one unit normal each.
     void vertices(const Model& model, const MeshInstance& instance,
                   const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
                   std::vector<glm::vec3>& outPositions, std::vector<glm::vec3>& outNormals);
@@ -61,7 +62,7 @@ private:
     std::vector<float> coefficients_;
     std::vector<NormalTurn> turns_;
     std::vector<glm::vec3> work_;
-    std::vector<bool> mirrored_;  // per position: its skins turn inside out
+    std::vector<bool> mirrored_;  // per position: its skins mirror it
     SmoothNormals smoothNormals_;
 };
 
@@ -69,8 +70,8 @@ private:
 Bounds bounds(const Model& model, const std::vector<glm::mat4>& modelTransforms,
               std::span<const float> parameters);
 
-// The bounds over a whole clip (null: the rest pose), looked at in `samples` moments evenly spread: what a
-// camera must show so that nothing leaves the picture.
+// The bounds over a whole clip (null: of the rest pose), taken at `samples` evenly spaced moments. A camera
+// that shows them shows all of the clip.
 Bounds animatedBounds(const Model& model, const Animation* animation, int samples = 16);
 
 }  // namespace walkcycle

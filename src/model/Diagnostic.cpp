@@ -7,8 +7,9 @@ namespace {
 
 constexpr std::size_t kLongPath = 120;
 
-// Where the fault is, as it stands in a line: without the root, which all paths share. Joints are nested deeply: of a
-// long path the end is enough to find the place, from the last element with an id on or earlier.
+// The path as a one-line message shows it: without the root, which all paths share. The path to a joint can
+// be long; then its end is shown, from the last element with an id on or earlier, which is enough to find the
+// place.
 std::string placeIn(std::string_view path) {
     const std::size_t root = path.find('/');
     if (root == std::string_view::npos) return {};  // the document as a whole

@@ -6,12 +6,12 @@ namespace walkcycle {
 
 enum class Severity { Info, Warning, Error };
 
-// The word for it, in messages, lists and pages alike.
+// Its word in messages, lists and pages.
 constexpr const char* nameOf(Severity severity) {
     return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "info";
 }
 
-// One thing to say about a file, so that its author can mend it.
+// A message about a file, from which its author can fix it.
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code;         // "WC0207"
@@ -20,7 +20,7 @@ struct Diagnostic {
     std::string elementPath;  // "COLLADA/library_controllers/controller[id=body]/skin"
     std::string message;
     std::string cure;
-    int repeats = 0;  // how many more of the kind were met after this one
+    int repeats = 0;  // how many more of this kind were found and left out
 };
 
 // "file:line: severity code: message, in library_geometries/geometry[id=body]/mesh (cure)". A long path loses its

@@ -6,8 +6,8 @@
 
 namespace walkcycle {
 
-// The file's own curves and transform stacks, evaluated directly in double precision: what the keyframes of
-// Model::animations are measured against, and what `pose --exact` prints.
+// The file's own curves and transform stacks, evaluated directly in double precision. The error of the key
+// frames of Model::animations is measured against it, and `pose --exact` prints it.
 class ExactMotion {
 public:
     virtual ~ExactMotion() = default;

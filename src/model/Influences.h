@@ -5,8 +5,8 @@
 
 namespace walkcycle {
 
-// One joint's pull on a position. `joint` is an index into Skin::joints (a palette entry), not a skeleton
-// index.
+// The weight of one joint on a position. `joint` is an index into Skin::joints and the palette, not into the
+// skeleton.
 struct Influence {
     std::uint32_t joint = 0;
     float weight = 0.0f;

@@ -31,8 +31,8 @@ enum class Filter {
 struct Texture {
     std::string id;                      // of the <image>
     std::string uri;                     // as the file has it
-    std::string path;                    // the file that was found; empty where none was
-    std::shared_ptr<const Image> image;  // null where it is missing, broken, or images were not asked for
+    std::string path;                    // the file that was found; empty if there is none
+    std::shared_ptr<const Image> image;  // null if it is missing or broken, or if images were not asked for
     Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
     Filter minFilter = Filter::LinearMipmapLinear, magFilter = Filter::Linear;
     glm::vec4 borderColor{0.0f};
@@ -41,9 +41,8 @@ struct Texture {
 struct ColorOrTexture {
     bool present = false;                     // the file has this slot
     glm::vec4 color{0.0f, 0.0f, 0.0f, 1.0f};  // as in the file (not linearised)
-    int texture =
-        -1;  // index into Model::textures; then color is white, or what stands for a missing picture
-    std::string texCoordName;  // the semantic that bind_vertex_input binds to a set
+    int texture = -1;  // index into Model::textures; then color is white, or stands for a missing picture
+    std::string texCoordName;  // the semantic for which <bind_vertex_input> names a set
 };
 
 enum class OpaqueMode { AOne, RgbZero, AZero, RgbOne };
@@ -58,14 +57,14 @@ struct Material {
     float transparency = 1.0f;
     float indexOfRefraction = 1.0f;
     OpaqueMode opaque = OpaqueMode::AOne;
-    bool transparent = false;  // after the rule for inverted exporters: draws with blending
+    bool transparent = false;  // draw with blending; exporters that invert transparency are accounted for
     bool doubleSided = false;
 
     const ColorOrTexture& slot(Slot s) const { return slots[static_cast<std::size_t>(s)]; }
     ColorOrTexture& slot(Slot s) { return slots[static_cast<std::size_t>(s)]; }
 };
 
-// How opaque the material is in [0, 1] where its transparent slot has this colour (COLLADA 1.4.1,
+// The opacity of the material, from 0 to 1, if its transparent slot has this colour (COLLADA 1.4.1,
 // "Determining transparency (opacity)").
 float opacity(const Material& material, const glm::vec4& transparentColor);
 

@@ -28,10 +28,10 @@ struct TexCoordSet {
         coords;  // one per vertex; (0, 0) is the picture's lower left corner, as in COLLADA
 };
 
-// A <geometry> as plain data, in the file's own axes and units. Two kinds of points: `positions` are the
-// entries of the file's POSITION source, which morphs and skins speak about; vertices are what is drawn: a
-// position with one normal, texture coordinate, colour. vertexPositions[v] says which position vertex v
-// stands at.
+// A <geometry> as plain data, in the file's own axes and unit. It has two kinds of points. `positions` are
+// the entries of the file's POSITION source, to which morphs and skins refer. Vertices are drawn: each is a
+// position with one normal, one texture coordinate per set and one colour. vertexPositions[v] is the position
+// of vertex v.
 struct MeshData {
     std::string id, name;
     std::vector<glm::vec3> positions;
@@ -47,7 +47,7 @@ struct MeshData {
     std::vector<std::uint32_t> indices;  // into the vertices: three per triangle, two per line
     std::vector<MeshPart> parts;
     bool doubleSided = false;  // the file's hint
-    MadeNormals madeNormals;   // empty unless the file has no normals and something deforms the mesh
+    MadeNormals madeNormals;   // only if the file has no normals and the mesh has deformers
 
     std::size_t vertexCount() const { return vertexPositions.size(); }
 };

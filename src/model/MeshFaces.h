@@ -22,13 +22,14 @@ struct MeshFaces {
 inline constexpr std::uint32_t kNoPosition = ~std::uint32_t{0};
 inline constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
 
-// Which corners meet: those of group g are corners[starts[g]] to corners[starts[g + 1]].
+// Groups of corners that meet at one place: group g is corners[starts[g]] up to, not including,
+// corners[starts[g + 1]].
 struct CornerGroups {
     std::vector<std::uint32_t> starts, corners;
 };
 
-// What normals are made of anew for each shape that a mesh takes, where its file has none. Each corner has a vertex of
-// its own: which of them look the same is not known before the shape is.
+// For a mesh without normals: from this they are computed for each shape that the mesh takes. Each corner has
+// a vertex of its own, because which corners share a normal depends on the shape.
 struct MadeNormals {
     MeshFaces faces;
     std::vector<std::uint32_t> cornerVertices;  // per corner: the vertex, or kNoVertex

@@ -28,7 +28,7 @@ struct Asset {
     UpAxis upAxis = UpAxis::Y;
 };
 
-// What is done to a mesh before it is drawn, one step.
+// One step of deforming a mesh.
 struct Deformer {
     enum class Kind { Morph, Skin };
     Kind kind = Kind::Skin;
@@ -52,7 +52,7 @@ struct MeshInstance {
     std::vector<PartMaterial> materials;  // one per MeshData::parts
 };
 
-// What a Parameter is a number of; `component` picks among several.
+// What a Parameter belongs to. `object` and `component` say which number of it.
 enum class ParameterKind {
     MorphWeight,    // object: Model::morphs, component: target
     CameraValue,    // object: Model::cameras, component: CameraComponent
@@ -73,8 +73,8 @@ enum class LightComponent {
 };
 enum class MaterialComponent { Shininess, Reflectivity, Transparency, IndexOfRefraction };
 
-// A number of the model that animations may move and that is not part of a joint's transform. All morph
-// weights are here; of the rest only those that a channel targets.
+// A number of the model that animations may change and that is not part of a joint's transform: every morph
+// weight, and those other numbers that a channel targets.
 struct Parameter {
     ParameterKind kind = ParameterKind::MorphWeight;
     int object = 0;

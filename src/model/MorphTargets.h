@@ -11,14 +11,14 @@ namespace walkcycle {
 // base + sum of w * target.
 enum class MorphMethod { Normalized, Relative };
 
-// One shape to blend to, as what is added to the base mesh at weight 1 (target - base for NORMALIZED).
+// A shape to blend to, stored as what it adds to the base mesh at weight 1 (for NORMALIZED: target - base).
 struct MorphTarget {
     std::string id;
     std::vector<glm::vec3> positionDeltas;  // one per MeshData::positions
     std::vector<glm::vec3> normalDeltas;    // one per vertex; empty where the target has no fitting normals
 };
 
-// A <controller><morph>: its targets and where their weights live.
+// A <controller><morph>: its targets, and which parameters are their weights.
 struct MorphTargets {
     std::string id;
     MorphMethod method = MorphMethod::Normalized;

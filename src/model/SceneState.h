@@ -7,8 +7,9 @@
 
 namespace walkcycle {
 
-// The parts of a model that animated parameters change, as they are at one moment: start from the model's own
-// values, then apply() each frame. Morph weights are read from the parameters directly.
+// The materials, cameras, lights and visibility of a model at one moment. The constructor takes the model's
+// own values; apply() sets those that animated parameters change. (Morph weights are not here: they are read
+// from the parameters.)
 struct SceneState {
     explicit SceneState(const Model& model);
 

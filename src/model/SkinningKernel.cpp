@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-// Most of the code is compiled twice: for any machine, and for those with AVX2 and FMA, where a number goes into all
-// lanes as it is loaded and a product and a sum are one step.
+// Most of the code is compiled twice: for every machine, and for machines with AVX2 and FMA, which load a
+// number into all lanes in one instruction, and multiply and add in one.
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define WALKCYCLE_HAS_AVX2 1
@@ -46,7 +46,7 @@ WALKCYCLE_INLINE Float4 crossZxy(Float4 a, Float4 b) {
     return a * yzx(b) - yzx(a) * b;
 }
 
-// In every lane the sign bit of the sum of the first three numbers.
+// The sign bit of the sum of the first three lanes, in every lane.
 WALKCYCLE_INLINE Bits signOfSum(Float4 v) {
     const Float4 sum = splatLane<0>(v) + splatLane<1>(v) + splatLane<2>(v);
     return reinterpret_cast<Bits>(sum) & (Bits{} + INT32_MIN);
@@ -56,15 +56,16 @@ WALKCYCLE_INLINE Float4 negated(Float4 v, Bits sign) {
     return reinterpret_cast<Float4>(reinterpret_cast<Bits>(v) ^ sign);
 }
 
-// A mirroring matrix (of negative determinant) turns surfaces inside out: its normals must point outside again.
+// A mirroring matrix has a negative determinant. It flips faces, so the normals are negated to point outside
+// again.
 WALKCYCLE_INLINE NormalTurn normalTurnOf(Float4 x, Float4 y, Float4 z) {
     const Float4 xy = crossZxy(x, y);
     const Bits sign = signOfSum(xy * zxy(z));
     return {negated(crossZxy(y, z), sign), negated(crossZxy(z, x), sign), negated(xy, sign)};
 }
 
-// The sum of all influences of one position. Adding up matrices first costs a position what adding up moved positions
-// would, and serves the normals too.
+// The weighted sum of the matrices that influence one position. Summing matrices costs as much as summing
+// transformed positions would, and the sum also serves the normals.
 WALKCYCLE_INLINE Columns blend(const Influence* first, const Influence* last, const glm::mat4* palette) {
     Columns sum{};
     for (; first != last; ++first) {
@@ -105,7 +106,7 @@ struct Normals {
     glm::vec3* to;
 };
 
-// As z, x, y, and of any length.
+// The transformed normal in the order z, x, y, not yet of unit length.
 WALKCYCLE_INLINE Float4 turned(const Normals& normals, std::size_t v) {
     const NormalTurn& turn = normals.turns[normals.positions[v]];
     const glm::vec3& normal = normals.from[v];
@@ -142,7 +143,7 @@ bool hasAvx2() {
     static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     return has;
 }
-// Blending is mostly loading matrices: with two columns to a register, half as many loads.
+// Most of the time goes into loading matrices; two columns per register need half as many loads.
 WALKCYCLE_AVX2 void skinAvx2(const Points& points) {
     const Influence* all = points.influences.influences.data();
     const std::uint32_t* first = points.influences.first.data();

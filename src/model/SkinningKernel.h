@@ -13,17 +13,18 @@
 
 namespace walkcycle {
 
-// How a blended matrix turns normals: as it turns surfaces, by its cofactors (the inverse transpose, up to a positive
-// factor), which hold also where it flattens things and has no inverse. Three columns, each as z, x, y, 0.
+// The matrix by which a blended matrix transforms normals: its cofactors. They are the inverse transpose up
+// to a positive factor, and exist even if the matrix flattens the mesh and has no inverse. Three columns,
+// each in the order z, x, y, 0.
 struct NormalTurn {
     Float4 x, y, z;
 
-    // Mirrored columns are negated, and so are their zeros.
+    // The columns of a mirroring matrix are negated, and with them the zeros in lane 3.
     bool isMirror() const { return std::signbit(x[3]); }
 };
 
-// Auto takes AVX2 where the machine has it. The others are for tests and benchmarks; to ask for one that
-// hasSkinningWay() denies is an error.
+// Auto takes AVX2 if the machine has it. The others are for tests and benchmarks; do not ask for a way that
+// hasSkinningWay() denies.
 enum class SkinningWay { Auto, Baseline, Avx2 };
 bool hasSkinningWay(SkinningWay way);
 
@@ -33,7 +34,8 @@ void skinPositions(const Influences& influences, std::span<const glm::mat4> pale
                    std::span<const glm::vec3> from, std::span<glm::vec3> to, std::vector<NormalTurn>* turns,
                    SkinningWay way = SkinningWay::Auto);
 
-// Turns normals, each by the matrix of its position, to unit length; what has no direction becomes zero. `to` as above.
+// Transforms normals, each by the matrix of its position, to unit length; a normal without direction becomes
+// zero. `to` as above.
 void turnNormals(std::span<const NormalTurn> turns, std::span<const std::uint32_t> vertexPositions,
                  std::span<const glm::vec3> from, std::span<glm::vec3> to,
                  SkinningWay way = SkinningWay::Auto);

@@ -11,7 +11,7 @@
 namespace walkcycle {
 namespace {
 
-// More faces than this at one position cost too much to compare each with each; they are all smoothed.
+// If more corners than this meet, comparing each pair costs too much: all of them are smoothed together.
 constexpr std::size_t kMostComparedFaces = 256;
 
 using Share = SmoothNormals::Share;
@@ -69,7 +69,8 @@ void findShares(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
     }
 }
 
-// For each position the first one of the same value, so that seams where an exporter repeats positions stay closed.
+// Per position: the first position of the same value, so that exporters' repeated positions do not make hard
+// edges.
 std::vector<std::uint32_t> firstOfEqual(const std::vector<glm::vec3>& positions) {
     constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
     std::vector<std::uint32_t> table(std::bit_ceil(positions.size() * 2 + 1), kEmpty),
@@ -106,7 +107,7 @@ void smoothWithinCrease(std::span<const std::uint32_t> corners, const std::vecto
         const glm::vec3& own = shares[corner].creaseNormal;
         glm::dvec3 sum(0.0);
         for (const std::uint32_t other : corners) {
-            // A face without an area has no side to be on: it takes what its neighbours have.
+            // A face without an area has no direction: it takes the normal of its neighbours.
             if (own == glm::vec3(0.0f) || glm::dot(own, shares[other].creaseNormal) >= cosCrease)
                 sum += glm::dvec3(shares[other].weighted);
         }

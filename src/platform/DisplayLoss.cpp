@@ -18,7 +18,8 @@ void whenDisplayIsLost(void (*handler)()) {
     lossHandler = handler;
 }
 
-// GLFW opens Xlib itself, and this folder should not depend on it where there is only Wayland.
+// GLFW opens Xlib while it runs. Linking it here would make it a requirement on machines that have Wayland
+// alone.
 void watchDisplay() {
     using Handler = int (*)(void*);
     using SetHandler = Handler (*)(Handler);

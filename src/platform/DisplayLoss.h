@@ -2,11 +2,12 @@
 
 namespace walkcycle {
 
-// What to do when a window's display goes away: its server was stopped, or the connection cut. Xlib then ends the
-// program with a message of its own unless the handler, which may do no more with the display, ends it first.
+// Sets what is called when a window loses its display because the server was stopped or the connection cut.
+// Xlib then ends the program with a message of its own, unless the handler ends it first. The handler must
+// not use the display.
 void whenDisplayIsLost(void (*handler)());
 
-// To be called when there is a display; does nothing where it is not X11's.
+// Starts to watch for that. Call it once a display is open; it does nothing without X11.
 void watchDisplay();
 
 }  // namespace walkcycle

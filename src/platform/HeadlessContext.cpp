@@ -30,14 +30,15 @@ bool lists(const char* extensions, std::string_view name) {
     return false;
 }
 
-// Epoxy's own eglGetPlatformDisplay asks a display for its version first, and aborts where there is none yet.
+// Epoxy's own eglGetPlatformDisplay queries the version of a display first, and aborts if there is no display
+// yet.
 EGLDisplay platformDisplay(EGLenum platform, void* native) {
     static const auto get =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     return get ? get(platform, native, nullptr) : EGL_NO_DISPLAY;
 }
 
-// Every device that EGL lists, those of hardware before those of software.
+// Every device that EGL lists, hardware before software.
 std::vector<Candidate> deviceDisplays(const char* clientExtensions) {
     std::vector<Candidate> hardware, software;
     if (!lists(clientExtensions, "EGL_EXT_platform_device")) return hardware;
@@ -72,8 +73,8 @@ std::vector<Candidate> defaultDisplay() {
     return {{display, "EGL default display"}};
 }
 
-// The ways to a display, best first; each is only asked when those before it failed, because asking takes
-// time.
+// The ways to get a display, best first. A way is tried only after those before it failed, because trying
+// takes time.
 using Way = std::vector<Candidate> (*)(const char*);
 std::vector<Way> waysToADisplay() {
     const Way device = deviceDisplays;
@@ -86,7 +87,8 @@ std::vector<Way> waysToADisplay() {
     return {standard, device, surfaceless};
 }
 
-// All contexts of a process on one device share its display, and eglTerminate ends it for all of them.
+// All contexts of a process on one device share its display, and eglTerminate ends it for all of them: so the
+// last context calls it.
 std::mutex displayMutex;
 std::map<EGLDisplay, int> displayUsers;
 
@@ -144,7 +146,7 @@ struct HeadlessContext::Impl {
 
     bool makeCurrent() const { return eglMakeCurrent(display, surface, surface, context); }
 
-    // We draw into framebuffers of our own, so a pbuffer is only there for drivers that insist on a surface.
+    // Pictures are drawn into framebuffers of our own. The pbuffer is for drivers that require a surface.
     bool createContext() {
         EGLConfig config = chooseConfig(display, EGL_PBUFFER_BIT);
         const bool pbuffer = config != nullptr;
@@ -157,7 +159,7 @@ struct HeadlessContext::Impl {
         return makeCurrent();
     }
 
-    // Null where the display does not give an OpenGL 3.3 context.
+    // Null if the display gives no OpenGL 3.3 context.
     static std::unique_ptr<Impl> on(const Candidate& candidate) {
         if (!initialize(candidate.display)) return nullptr;
         auto impl = std::make_unique<Impl>();

@@ -5,12 +5,13 @@
 
 namespace walkcycle {
 
-// OpenGL 3.3 core without a window or a display, through EGL. Takes the first that works of: each device that
-// EGL lists (hardware before software), Mesa's surfaceless platform, the default display. Where EGL_PLATFORM
-// is set, what it names comes first.
+// An OpenGL 3.3 core context without a window or a display, through EGL. The constructor tries each device
+// that EGL lists (hardware before software), then Mesa's surfaceless platform, then the default display, and
+// takes the first that works. If the environment variable EGL_PLATFORM names one of these, that one is tried
+// first.
 //
 //     HeadlessContext context;                       // current on this thread from here on
-//     std::cerr << context.description() << '\n';    // what it took
+//     std::cerr << context.description() << '\n';    // which device it uses
 //
 // Throws NoGraphicsDevice.
 class HeadlessContext {

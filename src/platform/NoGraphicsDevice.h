@@ -4,7 +4,8 @@
 
 namespace walkcycle {
 
-// There is nothing here to draw with: no EGL device, no display, or no OpenGL 3.3. The message is one line.
+// This machine has nothing to draw with: no EGL device, no display, or no OpenGL 3.3. The message is one
+// line.
 struct NoGraphicsDevice : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

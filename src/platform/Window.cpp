@@ -13,7 +13,7 @@
 namespace walkcycle {
 namespace {
 
-int windowsOpen = 0;  // GLFW belongs to the main thread, so this needs no lock
+int windowsOpen = 0;  // GLFW is used on the main thread alone, so this needs no lock
 
 std::string lastError() {
     const char* text = nullptr;
@@ -37,7 +37,7 @@ GLFWwindow* createWindow(const std::string& title, int width, int height, bool s
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no core profile without
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no core profile without it
     glfwWindowHint(GLFW_SAMPLES, samples);
     glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);

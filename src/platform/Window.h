@@ -32,9 +32,9 @@ enum Key : int {
 enum KeyModifier : int { ModShift = 1, ModControl = 2, ModAlt = 4, ModSuper = 8 };
 enum class MouseButton { Left, Right, Middle, Other };
 
-// A window with an OpenGL 3.3 core context, current on the calling thread after construction. Every callback
-// may be left empty. Mouse positions are in window coordinates (windowSize); pictures are drawn in pixels
-// (framebufferSize), which are smaller on a high-DPI screen.
+// A window with an OpenGL 3.3 core context, which the constructor makes current on the calling thread. Every
+// callback may be left empty. Mouse positions are in window coordinates (windowSize); pictures are drawn in
+// pixels (framebufferSize), which are smaller on a high-DPI screen.
 //
 //     Window window("Walkcycle", 1280, 720);
 //     window.onKey = [&](int key, int modifiers) { if (key == KeySpace) paused = !paused; };
@@ -44,7 +44,7 @@ enum class MouseButton { Left, Right, Middle, Other };
 //         window.swapBuffers();
 //     }
 //
-// Throws NoGraphicsDevice where there is no display or no OpenGL 3.3.
+// Throws NoGraphicsDevice if there is no display or no OpenGL 3.3.
 class Window {
 public:
     struct Size {
@@ -61,14 +61,13 @@ public:
     std::function<void(MouseButton button, bool pressed, int modifiers)> onMouseButton;
     std::function<void(double x, double y)> onMouseMove;
     std::function<void(double dx, double dy)> onScroll;
-    std::function<void(Size framebuffer)>
-        onResize;  // also called while the user drags the border: draw there
+    std::function<void(Size framebuffer)> onResize;  // also while the user drags the border: draw in it
     std::function<void(const std::vector<std::string>& paths)> onDrop;
 
     bool shouldClose() const;
     void close();
     void pollEvents();
-    void waitEvents(double seconds);  // sleeps until something happens, at most so long
+    void waitEvents(double seconds);  // sleeps until an event arrives, at most for this long
     void swapBuffers();
     void setVerticalSync(bool on);
     void setTitle(const std::string& title);

@@ -2,11 +2,12 @@
 
 #include "profiles/Rules.h"
 
-// LoadMaterial, LoadColorOrTexture and LoadTransparent of Gazebo's loader: see GazeboRules.cpp.
+// Rules from LoadMaterial, LoadColorOrTexture and LoadTransparent of Gazebo's loader, which GazeboRules.cpp
+// names.
 namespace walkcycle {
 namespace {
 
-// The <effect>s whose materials are see-through, as the format means it.
+// The <effect>s whose materials are transparent by the format's own rules.
 std::unordered_set<XmlNode> transparentEffects(const Subject& subject) {
     std::unordered_set<std::string> materials;
     for (const Material& material : subject.model().materials)

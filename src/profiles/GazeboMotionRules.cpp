@@ -4,17 +4,17 @@
 
 #include "profiles/Rules.h"
 
-// LoadAnimations and LoadAnimationSet of Gazebo's loader: see GazeboRules.cpp.
+// Rules from LoadAnimations and LoadAnimationSet of Gazebo's loader, which GazeboRules.cpp names.
 namespace walkcycle {
 namespace {
 
 bool showsSkin(const Subject& subject) {
     return std::any_of(subject.shown().begin(), subject.shown().end(),
-                       [](const Shown& shown) { return static_cast<bool>(shown.skin()); });
+                       [](const ShownMesh& shown) { return static_cast<bool>(shown.skin()); });
 }
 
-// Only the first library is read: either the <animation>s right in it, or, if its first one has others within, those of
-// the second level.
+// Gazebo reads one level of the first library: if its first <animation> holds others, all <animation>s of the
+// second level, otherwise those of the first.
 std::vector<XmlNode> channelsRead(XmlNode library) {
     std::vector<XmlNode> channels;
     const auto addChannelsOf = [&](XmlNode parent) {
@@ -29,7 +29,8 @@ std::vector<XmlNode> channelsRead(XmlNode library) {
     return channels;
 }
 
-// A matrix and rotations can be moved; the loader forgets the sids of the other transform elements.
+// Gazebo moves <matrix> and <rotate>. It drops the sids of other transform elements, so that no channel finds
+// them.
 void checkTarget(const Subject& subject, XmlNode channel) {
     const ChannelTarget target = subject.targetOf(channel);
     if (target.root.is("node") && isOneOf(target.element, {"translate", "scale", "lookat", "skew"}))
@@ -37,7 +38,7 @@ void checkTarget(const Subject& subject, XmlNode channel) {
                        {std::string(target.element.name()), nameOf(target.root)});
 }
 
-// A key at a time that another channel of the node does not have puts what that one moves to rest.
+// Where only one of a node's channels has a key, Gazebo resets what its other channels move to the rest pose.
 void checkKeyTimes(const Subject& subject, const std::vector<XmlNode>& channels) {
     std::unordered_map<XmlNode, XmlNode>
         firstTimes;  // <node> -> the <source> of its first channel's key times

@@ -9,16 +9,17 @@
 
 #include "profiles/Rules.h"
 
-// What the COLLADA loader of Gazebo (gz-common; gazebo-classic has its ancestor) leaves out or takes for something else:
-// https://github.com/gazebosim/gz-common/blob/main/graphics/src/ColladaLoader.cc
+// What Gazebo's COLLADA loader skips or misreads. The loader is gz-common's; gazebo-classic has an older
+// version of it: https://github.com/gazebosim/gz-common/blob/main/graphics/src/ColladaLoader.cc
 namespace walkcycle {
 namespace {
 
 // ---- geometry (LoadGeometry, LoadTriangles, LoadPolylist)
 
-// Its polygons are fans from the first corner: is one of the triangles turned round against the whole?
-bool fanTurnsRound(const std::vector<double>& positions, std::size_t width,
-                   const std::vector<std::int32_t>& corners) {
+// Gazebo cuts a polygon into a fan from its first corner. Returns whether a triangle of that fan faces the
+// other way than the polygon.
+bool fanHasFlippedTriangle(const std::vector<double>& positions, std::size_t width,
+                           const std::vector<std::int32_t>& corners) {
     std::vector<glm::dvec3> points;
     for (const std::int32_t corner : corners) {
         const std::size_t first = static_cast<std::size_t>(std::max(0, corner)) * width;
@@ -46,12 +47,13 @@ void checkConcave(const Subject& subject, XmlNode polylist) {
         std::vector<std::int32_t> corners;
         for (std::int32_t i = 0; i < count && at < p.size(); ++i, at += static_cast<std::size_t>(stride))
             corners.push_back(p[at]);
-        concave += count > 3 && fanTurnsRound(positions, static_cast<std::size_t>(width), corners);
+        concave += count > 3 && fanHasFlippedTriangle(positions, static_cast<std::size_t>(width), corners);
     }
     if (concave > 0) subject.report(Code::GazeboConcave, polylist, {std::to_string(concave)});
 }
 
-// It counts the offsets of each semantic by themselves, so inputs that share one, or leave one out, shift all indices.
+// Gazebo counts an index per <input> (of TEXCOORD, per offset), so inputs that share an offset or skip one
+// shift all indices.
 void checkOffsets(const Subject& subject, XmlNode primitive) {
     std::set<int> texCoords;
     int counted = 0;
@@ -80,7 +82,7 @@ void checkSource(const Subject& subject, XmlNode source, int least, std::unorder
     if (integerAttribute(accessor, "offset", 0) != 0) return say("the accessor's offset is not read");
     const XmlNode first = accessor.child("param");
     if (first && first.attribute("name").empty() && accessor.child("param").nextSibling("param").has("name"))
-        say("the first <param> has no name, and is read all the same");
+        say("the first <param> has no name, but is not skipped");
 }
 
 void checkPrimitive(const Subject& subject, XmlNode primitive, std::unordered_set<XmlNode>& seen) {
@@ -104,37 +106,37 @@ void checkGeometry(const Subject& subject, XmlNode geometry, std::unordered_set<
     }
 }
 
-// When it comes to each node: after those below it.
-std::vector<std::size_t> visits(const Skeleton& skeleton) {
-    std::vector<std::vector<std::size_t>> children(skeleton.joints.size() +
-                                                   1);  // the last entry: of the scene
+// Per node: its rank in the order in which Gazebo visits the nodes, each after its descendants.
+std::vector<std::size_t> visitRanks(const Skeleton& skeleton) {
+    std::vector<std::vector<std::size_t>> children(skeleton.joints.size() + 1);  // the last entry: the roots
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
         const int parent = skeleton.joints[i].parent;
         children[parent == kNoParent ? skeleton.joints.size() : static_cast<std::size_t>(parent)].push_back(
             i);
     }
     std::vector<std::size_t> before,
-        open = {skeleton.joints.size()};  // the other way round: last children first
+        open = {skeleton.joints.size()};  // that order reversed: parents first, last children first
     while (!open.empty()) {
         before.push_back(open.back());
         open.pop_back();
         open.insert(open.end(), children[before.back()].begin(), children[before.back()].end());
     }
-    std::vector<std::size_t> visit(before.size());
-    for (std::size_t i = 0; i < before.size(); ++i) visit[before[i]] = before.size() - i;
-    return visit;
+    std::vector<std::size_t> rank(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) rank[before[i]] = before.size() - i;
+    return rank;
 }
 
-// Positions are kept with the transform of the first instance applied (LoadPositions).
+// Gazebo applies the transform of a geometry's first instance to its positions (LoadPositions), and then
+// shows them for every other instance, too.
 void checkInstances(const Subject& subject) {
-    const std::vector<std::size_t> visit = visits(subject.scene().skeleton);
-    std::vector<Shown> shown = subject.shown();
-    std::stable_sort(shown.begin(), shown.end(), [&](const Shown& a, const Shown& b) {
-        return visit[static_cast<std::size_t>(a.node)] < visit[static_cast<std::size_t>(b.node)];
+    const std::vector<std::size_t> rank = visitRanks(subject.scene().skeleton);
+    std::vector<ShownMesh> shown = subject.shown();
+    std::stable_sort(shown.begin(), shown.end(), [&](const ShownMesh& a, const ShownMesh& b) {
+        return rank[static_cast<std::size_t>(a.node)] < rank[static_cast<std::size_t>(b.node)];
     });
     std::unordered_map<XmlNode, int> firstNode;
     std::unordered_set<XmlNode> seen;
-    for (const Shown& one : shown) {
+    for (const ShownMesh& one : shown) {
         if (!one.geometry) continue;
         const auto [first, isNew] = firstNode.try_emplace(one.geometry, one.node);
         if (isNew)
@@ -146,7 +148,7 @@ void checkInstances(const Subject& subject) {
 
 // ---- nodes (LoadNode, LoadNodeTransform)
 
-// What it makes of a node's transform elements.
+// A node's transform as Gazebo reads it.
 glm::dmat4 asGazeboReads(const TransformStack& stack) {
     using Kind = TransformElement::Kind;
     glm::dmat4 translation(1.0), rotation(1.0), scale(1.0);
@@ -161,17 +163,17 @@ glm::dmat4 asGazeboReads(const TransformStack& stack) {
     return translation * rotation * scale;
 }
 
-// Of meshes, joints and what is around them; cameras and lights are not read anyway.
+// Checks the nodes of meshes and joints, and their ancestors. Gazebo does not read cameras and lights.
 void checkTransforms(const Subject& subject) {
-    std::set<int> matter;
+    std::set<int> checked;
     const auto add = [&](int node) {
-        while (node != kNoParent && matter.insert(node).second) node = subject.parent(node);
+        while (node != kNoParent && checked.insert(node).second) node = subject.parent(node);
     };
-    for (const Shown& shown : subject.shown()) add(shown.node);
+    for (const ShownMesh& shown : subject.shown()) add(shown.node);
     for (std::size_t i = 0; i < subject.scene().skeleton.joints.size(); ++i)
         if (subject.scene().skeleton.joints[i].isJoint) add(static_cast<int>(i));
     std::unordered_set<XmlNode> seen;
-    for (const int i : matter) {
+    for (const int i : checked) {
         const TransformStack& stack = subject.scene().stacks[static_cast<std::size_t>(i)];
         const XmlNode node = subject.element(i);
         if (seen.insert(node).second && !isSame(stack.toMatrix(), asGazeboReads(stack)))
@@ -179,7 +181,7 @@ void checkTransforms(const Subject& subject) {
     }
 }
 
-// After a node's first <instance_node> it goes on to the next node.
+// After a node's first <instance_node>, Gazebo skips the rest of the node.
 void checkInstanceNodes(const Subject& subject) {
     for (const XmlNode node : subject.all("node")) {
         const XmlNode first = node.child("instance_node");
@@ -217,10 +219,11 @@ void checkScene(const Subject& subject) {
 
 // ---- references (ElementId)
 
-// It takes the first element, in document order, whose id or sid is the one that it looks for, whatever its kind.
-class FirstOfName {
+// Gazebo resolves a reference to the first element in document order that has this id or sid, whatever its
+// kind.
+class GazeboLookup {
 public:
-    explicit FirstOfName(const Subject& subject) {
+    explicit GazeboLookup(const Subject& subject) {
         for (const XmlNode element : subject.elements())
             for (const std::string_view name : {element.id(), element.sid()})
                 if (!name.empty()) first_.try_emplace(std::string(name), element);
@@ -239,7 +242,7 @@ void reportAmbiguous(const Subject& subject, XmlNode from, std::string_view refe
                    {std::string(reference), std::string(taken.name()), std::to_string(taken.line())});
 }
 
-// The image that a sampler of an effect leads to, each sid being looked up by `find`.
+// The image that a sampler of an effect leads to. `find` resolves each sid on the way.
 template <typename Find>
 std::string imageBehind(XmlNode parameter, Find find) {
     if (parameter.is("image")) return std::string(parameter.id());
@@ -247,10 +250,11 @@ std::string imageBehind(XmlNode parameter, Find find) {
     return surface.child("surface").child("init_from").text();
 }
 
-// A <texture> names a <newparam> of its own effect by sid; other effects may have one of that name before it.
-void checkSamplers(const Subject& subject, const FirstOfName& first) {
+// A <texture> names a <newparam> of its own effect by sid. Gazebo may find a <newparam> of an earlier effect
+// that has the same sid.
+void checkSamplers(const Subject& subject, const GazeboLookup& first) {
     std::unordered_map<XmlNode, std::unordered_map<std::string, XmlNode>>
-        parameters;  // of each profile, by sid
+        parameters;  // of each <profile_COMMON>, by sid
     for (const XmlNode parameter : subject.all("newparam"))
         parameters[parameter.parent()].try_emplace(std::string(parameter.sid()), parameter);
     for (const XmlNode texture : subject.all("texture")) {
@@ -268,7 +272,7 @@ void checkSamplers(const Subject& subject, const FirstOfName& first) {
 }
 
 void checkReferences(const Subject& subject) {
-    const FirstOfName first(subject);
+    const GazeboLookup first(subject);
     for (const char* attribute : {"url", "source", "target"})
         for (const XmlNode element : subject.elements()) {
             const std::string_view uri = element.attribute(attribute);
@@ -289,6 +293,8 @@ void checkGazebo(const Subject& subject) {
     checkInstances(subject);
     checkGazeboSkins(subject);
     checkReferences(subject);
+    checkGazeboMotion(subject);
+    checkGazeboMaterials(subject);
 }
 
 }  // namespace walkcycle

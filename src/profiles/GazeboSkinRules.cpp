@@ -2,11 +2,11 @@
 
 #include "profiles/Rules.h"
 
-// LoadController of Gazebo's loader: see GazeboRules.cpp.
+// Rules from LoadController of Gazebo's loader, which GazeboRules.cpp names.
 namespace walkcycle {
 namespace {
 
-// What LoadSingleSkeletonNode calls the nodes.
+// The names that LoadSingleSkeletonNode gives to nodes: the sid, else the name, else the id.
 std::unordered_set<std::string> jointNames(const Subject& subject) {
     std::unordered_set<std::string> names;
     for (const XmlNode node : subject.all("node")) {
@@ -27,7 +27,7 @@ void checkJointNames(const Subject& subject, XmlNode skin, const std::unordered_
         if (!known.contains(word)) subject.report(Code::GazeboJointName, names, {word});
 }
 
-void checkBindShape(const Subject& subject, const Shown& shown, XmlNode skin) {
+void checkBindShape(const Subject& subject, const ShownMesh& shown, XmlNode skin) {
     const XmlNode shape = skin.child("bind_shape_matrix");
     if (!shape) return subject.report(Code::GazeboBindShapeMissing, skin, {nameOf(skin.parent())});
     const bool hasTriangles = shown.geometry && shown.geometry.child("mesh").child("triangles");
@@ -35,7 +35,7 @@ void checkBindShape(const Subject& subject, const Shown& shown, XmlNode skin) {
         subject.report(Code::GazeboBindShapeIgnored, shape, {nameOf(shown.geometry)});
 }
 
-void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin,
+void checkSkin(const Subject& subject, const ShownMesh& shown, XmlNode skin,
                const std::unordered_set<std::string>& joints) {
     checkBindShape(subject, shown, skin);
     checkJointNames(subject, skin, joints);
@@ -52,7 +52,7 @@ void checkSkin(const Subject& subject, const Shown& shown, XmlNode skin,
 void checkGazeboSkins(const Subject& subject) {
     const std::unordered_set<std::string> joints = jointNames(subject);
     std::unordered_set<XmlNode> seen;
-    for (const Shown& shown : subject.shown())
+    for (const ShownMesh& shown : subject.shown())
         for (const XmlNode controller : shown.controllers) {
             if (!seen.insert(controller).second) continue;
             if (controller.is("morph"))

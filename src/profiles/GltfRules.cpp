@@ -4,12 +4,12 @@
 
 #include "profiles/Rules.h"
 
-// What a glTF 2.0 file cannot hold, or viewers of it need not show:
+// What a glTF 2.0 file cannot hold, and what viewers of it may ignore:
 // https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 namespace walkcycle {
 namespace {
 
-constexpr std::size_t kJointsPerVertex = 4;    // 3.7.3.3: more need JOINTS_1, which viewers may leave out
+constexpr std::size_t kJointsPerVertex = 4;    // 3.7.3.3: more need JOINTS_1, which viewers may ignore
 constexpr std::size_t kTexCoordSets = 2;       // 3.7.2.1
 constexpr std::size_t kMorphedAttributes = 8;  // 3.7.2.2
 
@@ -43,7 +43,7 @@ bool isSheared(const glm::dmat4& matrix) {
 }
 
 void checkNodes(const Subject& subject) {
-    std::unordered_set<XmlNode> seen;  // a node that is instanced occurs several times
+    std::unordered_set<XmlNode> seen;  // an instanced node occurs several times
     for (std::size_t i = 0; i < subject.scene().stacks.size(); ++i) {
         const XmlNode node = subject.scene().nodes[i];
         if (seen.insert(node).second && isSheared(subject.scene().stacks[i].toMatrix()))
@@ -100,7 +100,7 @@ void checkOtherScenes(const Subject& subject) {
 
 void checkDeformers(const Subject& subject) {
     std::unordered_set<XmlNode> seen;
-    for (const Shown& shown : subject.shown()) {
+    for (const ShownMesh& shown : subject.shown()) {
         bool skinned = false, wrongOrder = false;  // innermost first
         for (auto controller = shown.controllers.rbegin(); controller != shown.controllers.rend();
              ++controller) {
@@ -108,10 +108,10 @@ void checkDeformers(const Subject& subject) {
             skinned |= controller->is("skin");
             if (!seen.insert(*controller).second) continue;
             if (controller->is("morph")) continue;
-            const Crowding crowding = verticesOver(subject, *controller, kJointsPerVertex);
-            if (crowding.vertices > 0)
+            const ManyInfluences many = verticesWithMoreJoints(subject, *controller, kJointsPerVertex);
+            if (many.vertices > 0)
                 subject.report(Code::GltfManyInfluences, controller->child("vertex_weights"),
-                               {std::to_string(crowding.vertices), std::to_string(crowding.most)});
+                               {std::to_string(many.vertices), std::to_string(many.most)});
         }
         if (wrongOrder)
             subject.report(Code::GltfDeformerOrder, shown.instance, {nameOf(shown.instance.parent())});
@@ -144,7 +144,7 @@ void checkCurves(const Subject& subject) {
     }
 }
 
-// Node transforms and morph weights can be animated, nothing else.
+// glTF animates node transforms and morph weights, nothing else.
 void checkChannels(const Subject& subject) {
     for (const XmlNode channel : subject.all("channel")) {
         const ChannelTarget target = subject.targetOf(channel);

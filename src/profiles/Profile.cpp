@@ -1,14 +1,31 @@
 #include "profiles/Profile.h"
 
-#include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "profiles/Rules.h"
 
 namespace walkcycle {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames = {"gltf", "gazebo", "secondlife", "thinmatrix"};
+struct Row {
+    Profile profile;
+    std::string_view name;  // on the command line
+    void (*check)(const Subject&);
+};
+
+constexpr std::array kProfiles = {
+    Row{Profile::Gltf, "gltf", checkGltf},
+    Row{Profile::Gazebo, "gazebo", checkGazebo},
+    Row{Profile::SecondLife, "secondlife", checkSecondLife},
+    Row{Profile::ThinMatrix, "thinmatrix", checkThinMatrix},
+};
+
+constexpr auto kNames = [] {
+    std::array<std::string_view, kProfiles.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kProfiles[i].name;
+    return names;
+}();
 
 }  // namespace
 
@@ -17,26 +34,16 @@ std::span<const std::string_view> profileNames() {
 }
 
 std::optional<Profile> profileNamed(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) return std::nullopt;
-    return static_cast<Profile>(found - kNames.begin());
+    for (const Row& row : kProfiles)
+        if (row.name == name) return row.profile;
+    return std::nullopt;
 }
 
 void checkProfile(Profile profile, const Inspection& inspection) {
     const Subject subject(inspection);
-    switch (profile) {
-        case Profile::Gltf:
-            return checkGltf(subject);
-        case Profile::Gazebo:
-            checkGazebo(subject);
-            checkGazeboMotion(subject);
-            return checkGazeboMaterials(subject);
-        case Profile::SecondLife:
-            return checkSecondLife(subject);
-        case Profile::ThinMatrix:
-            checkThinMatrix(subject);
-            return checkThinMatrixMotion(subject);
-    }
+    for (const Row& row : kProfiles)
+        if (row.profile == profile) return row.check(subject);
+    assert(false && "a profile without a row");
 }
 
 }  // namespace walkcycle

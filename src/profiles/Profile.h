@@ -4,18 +4,20 @@
 #include <span>
 #include <string_view>
 
-#include "loaders/Inspection.h"
-
 namespace walkcycle {
 
-// Where a file is to be used. Each has rules of its own: what its reader leaves out, refuses or takes for something else.
+struct Inspection;
+
+// A program or format that a document is checked for. Each has rules: what its importer skips, rejects or
+// misreads. A new one is a file of rules and a row of the table in Profile.cpp.
 enum class Profile { Gltf, Gazebo, SecondLife, ThinMatrix };
 
-// What the command line calls them: "gltf", "gazebo", "secondlife", "thinmatrix".
+// Their names, in the order of the enum: "gltf", "gazebo", "secondlife", "thinmatrix".
 std::span<const std::string_view> profileNames();
+// The profile of that name; nothing if there is none.
 std::optional<Profile> profileNamed(std::string_view name);
 
-// Looks at the document with the eyes of that target; what it finds is reported as WC10xx. To be called from
+// Checks a document against the rules of one profile, and reports each breach as WC10xx. Call it from
 // LoadOptions::inspector:
 //   options.inspector = [](const Inspection& inspection) { checkProfile(Profile::Gazebo, inspection); };
 void checkProfile(Profile profile, const Inspection& inspection);

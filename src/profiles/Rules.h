@@ -4,15 +4,17 @@
 
 namespace walkcycle {
 
-// The rules of one target each. Where they come from stands in the catalogue (DiagnosticCodes.inc, 10xx) and in
-// docs/checking.md.
+// The rules of each profile. The catalogue (DiagnosticCodes.inc, 10xx) and docs/checking.md say where each
+// rule comes from.
 void checkGltf(const Subject& subject);
 void checkGazebo(const Subject& subject);
-void checkGazeboSkins(const Subject& subject);      // its part about skins and morphs
-void checkGazeboMotion(const Subject& subject);     // its part about animations
-void checkGazeboMaterials(const Subject& subject);  // its part about materials
 void checkSecondLife(const Subject& subject);
 void checkThinMatrix(const Subject& subject);
-void checkThinMatrixMotion(const Subject& subject);  // its part about joints and animations
+
+// Parts of checkGazebo() and checkThinMatrix() that have files of their own.
+void checkGazeboSkins(const Subject& subject);
+void checkGazeboMotion(const Subject& subject);
+void checkGazeboMaterials(const Subject& subject);
+void checkThinMatrixMotion(const Subject& subject);
 
 }  // namespace walkcycle

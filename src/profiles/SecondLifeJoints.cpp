@@ -142,14 +142,14 @@ constexpr std::array kBones = {"mPelvis",
                                "mHindLimb3Right",
                                "mHindLimb4Right"};
 
-// Its 26 collision volumes, which fitted meshes follow.
+// The 26 collision volumes of avatar_skeleton.xml, which fitted meshes follow.
 constexpr std::array kVolumes = {
     "PELVIS",      "BUTT",      "BELLY",       "LEFT_HANDLE", "RIGHT_HANDLE", "LOWER_BACK", "CHEST",
     "LEFT_PEC",    "RIGHT_PEC", "UPPER_BACK",  "NECK",        "HEAD",         "L_CLAVICLE", "L_UPPER_ARM",
     "L_LOWER_ARM", "L_HAND",    "R_CLAVICLE",  "R_UPPER_ARM", "R_LOWER_ARM",  "R_HAND",     "R_UPPER_LEG",
     "R_LOWER_LEG", "R_FOOT",    "L_UPPER_LEG", "L_LOWER_LEG", "L_FOOT"};
 
-// Other names of bones there. (Those of the first skeleton may also have "avatar_" before them.)
+// Aliases of bones. Bones of the first skeleton, below, may also have the prefix "avatar_".
 constexpr std::array kAliases = {"hip",    "abdomen",  "chest", "neck",    "head",   "figureHair", "lCollar",
                                  "lShldr", "lForeArm", "lHand", "rCollar", "rShldr", "rForeArm",   "rHand",
                                  "rThigh", "rShin",    "rFoot", "lThigh",  "lShin",  "lFoot"};

@@ -7,7 +7,7 @@
 #include "profiles/Rules.h"
 #include "profiles/SecondLifeJoints.h"
 
-// What the uploader of Second Life's viewer leaves out or refuses:
+// What the uploader of Second Life's viewer skips or rejects:
 // https://github.com/secondlife/viewer (indra/llprimitive/lldaeloader.cpp and llmodelloader.cpp)
 namespace walkcycle {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostJoints = 110;          // LL_MAX_JOINTS_PER_MESH_OBJECT
 constexpr std::size_t kMostFaces = 8;             // LL_SCULPT_MESH_MAX_FACES
 constexpr std::size_t kMostCorners = 65535;       // VERTEX_NUMBER_OVERFLOW
-constexpr std::size_t kTrianglesPerFace = 21844;  // of a <polylist>, which is split: 65532 indices
+constexpr std::size_t kTrianglesPerFace = 21844;  // a longer <polylist> is split, at 65532 indices
 constexpr std::size_t kJointsPerVertex = 4;       // processDomModel
 
 bool isRead(XmlNode primitive) {
@@ -24,7 +24,7 @@ bool isRead(XmlNode primitive) {
 
 // ---- geometry (get_dom_sources, load_face_from_dom_*)
 
-// For each entry of a source the first one that holds the same numbers.
+// Per entry of a source: the index of the first entry that holds the same numbers.
 std::vector<std::int32_t> firstEqual(const Subject& subject, XmlNode source) {
     const std::vector<double>& numbers = subject.numbers(source.child("float_array"));
     const auto width = static_cast<std::size_t>(std::max(1, strideOf(source)));
@@ -38,9 +38,11 @@ std::vector<std::int32_t> firstEqual(const Subject& subject, XmlNode source) {
     return first;
 }
 
-using EqualEntries = std::unordered_map<XmlNode, std::vector<std::int32_t>>;  // of each source, found once
+using EqualEntries =
+    std::unordered_map<XmlNode, std::vector<std::int32_t>>;  // firstEqual() of each source, computed once
 
-// Corners that differ in position, normal or texture coordinates, which the uploader does not join.
+// The vertices that the uploader makes of a primitive: its corners that differ in position, normal or texture
+// coordinates. Returns 0 if there are too few corners to reach the limit.
 std::size_t differentCorners(const Subject& subject, XmlNode primitive, EqualEntries& known) {
     std::vector<std::int32_t> indices;
     for (const XmlNode p : primitive.children("p")) {
@@ -50,7 +52,7 @@ std::size_t differentCorners(const Subject& subject, XmlNode primitive, EqualEnt
     const auto stride = static_cast<std::size_t>(indicesPerCorner(primitive));
     if (indices.size() / stride < kMostCorners) return 0;
     std::vector<std::pair<std::size_t, const std::vector<std::int32_t>*>>
-        inputs;  // offset, and what is equal
+        inputs;  // offset, and firstEqual() of its source
     for (const XmlNode input : primitive.children("input")) {
         const XmlNode target = subject.follow(input, "source");
         const XmlNode source = target.is("vertices") ? subject.sourceOf(target, "POSITION") : target;
@@ -92,7 +94,7 @@ void checkSources(const Subject& subject, XmlNode primitive, std::unordered_set<
     if (sets > 1) subject.report(Code::SlTexCoordSets, primitive, {std::to_string(sets)});
 }
 
-// How many faces of the object a part becomes: a long <polylist> is split.
+// The number of Second Life faces that a primitive becomes: a long <polylist> is split.
 std::size_t facesOf(XmlNode primitive) {
     if (!primitive.is("polylist")) return 1;
     std::size_t triangles = 0;
@@ -139,10 +141,10 @@ void checkJoints(const Subject& subject, XmlNode skin) {
 
 void checkWeights(const Subject& subject, XmlNode skin) {
     const XmlNode weights = skin.child("vertex_weights");
-    const Crowding crowding = verticesOver(subject, skin, kJointsPerVertex);
-    if (crowding.vertices > 0)
+    const ManyInfluences many = verticesWithMoreJoints(subject, skin, kJointsPerVertex);
+    if (many.vertices > 0)
         subject.report(Code::SlManyInfluences, weights,
-                       {std::to_string(crowding.vertices), std::to_string(crowding.most)});
+                       {std::to_string(many.vertices), std::to_string(many.most)});
     const XmlNode mesh = subject.follow(skin, "source").child("mesh");
     const XmlNode positions = subject.follow(mesh.child("vertices").child("input"), "source");
     const int claimed = integerAttribute(weights, "count", -1);
@@ -153,7 +155,7 @@ void checkWeights(const Subject& subject, XmlNode skin) {
 
 void checkControllers(const Subject& subject) {
     std::unordered_set<XmlNode> seen;
-    for (const Shown& shown : subject.shown())
+    for (const ShownMesh& shown : subject.shown())
         for (const XmlNode controller : shown.controllers) {
             if (!seen.insert(controller).second) continue;
             if (controller.is("morph")) {
@@ -180,26 +182,26 @@ void checkTransformsOf(const Subject& subject, XmlNode node) {
     }
 }
 
-// Of each node: whether the matrices of it and what is around it turn a mesh inside out.
-std::vector<bool> insideOut(const Subject& subject) {
-    std::vector<bool> turned;
+// Per node: whether the <matrix>es of the node and of its ancestors together mirror a mesh.
+std::vector<bool> mirroredNodes(const Subject& subject) {
+    std::vector<bool> mirrored;
     for (std::size_t i = 0; i < subject.scene().nodes.size(); ++i) {
         const int parent = subject.parent(static_cast<int>(i));
-        bool isTurned = parent != kNoParent && turned[static_cast<std::size_t>(parent)];
+        bool isMirrored = parent != kNoParent && mirrored[static_cast<std::size_t>(parent)];
         for (const XmlNode matrix : subject.scene().nodes[i].children("matrix"))
-            if (glm::determinant(matrixOf(numbersOf(matrix))) < 0.0) isTurned = !isTurned;
-        turned.push_back(isTurned);
+            if (glm::determinant(matrixOf(numbersOf(matrix))) < 0.0) isMirrored = !isMirrored;
+        mirrored.push_back(isMirrored);
     }
-    return turned;
+    return mirrored;
 }
 
 void checkTransforms(const Subject& subject) {
-    const std::vector<bool> turned = insideOut(subject);
+    const std::vector<bool> mirrored = mirroredNodes(subject);
     std::unordered_set<XmlNode> elements;
     std::unordered_set<int> nodes;
-    for (const Shown& shown : subject.shown()) {
+    for (const ShownMesh& shown : subject.shown()) {
         if (!shown.instance.is("instance_geometry")) continue;
-        if (turned[static_cast<std::size_t>(shown.node)])
+        if (mirrored[static_cast<std::size_t>(shown.node)])
             subject.report(Code::SlMirrored, shown.instance, {nameOf(subject.element(shown.node))});
         for (int node = shown.node; node != kNoParent && nodes.insert(node).second;
              node = subject.parent(node))
@@ -227,7 +229,7 @@ void checkMaterials(const Subject& subject) {
 
 void checkSecondLife(const Subject& subject) {
     std::unordered_set<XmlNode> geometries;
-    for (const Shown& shown : subject.shown()) {
+    for (const ShownMesh& shown : subject.shown()) {
         if (shown.geometry && geometries.insert(shown.geometry).second)
             checkMesh(subject, shown.geometry.child("mesh"));
     }

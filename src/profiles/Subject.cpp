@@ -28,7 +28,7 @@ std::vector<XmlNode> inDocumentOrder(XmlNode root) {
 
 }  // namespace
 
-XmlNode Shown::skin() const {
+XmlNode ShownMesh::skin() const {
     for (const XmlNode controller : controllers)
         if (controller.is("skin")) return controller;
     return {};
@@ -48,7 +48,7 @@ Subject::Subject(const Inspection& inspection)
 }
 
 void Subject::addShown(const SceneGraph::Instance& instance) {
-    Shown shown{instance.element, instance.node, {}, {}};
+    ShownMesh shown{instance.element, instance.node, {}, {}};
     std::unordered_set<XmlNode> seen;  // a controller may lead back to itself
     XmlNode target = follow(instance.element, "url");
     while (target.is("controller") && seen.insert(target).second) {
@@ -73,7 +73,7 @@ XmlNode Subject::follow(XmlNode from, const char* attribute) const {
     const std::string uri = *attribute ? std::string(from.attribute(attribute)) : from.text();
     const std::size_t hash = uri.find('#');
     if (hash == std::string::npos) return from.document().byId(uri);
-    // What is in another document was reported by the loader, or is shown by it; no target reads it.
+    // References to other documents are not followed: none of the profiles' programs reads them.
     return hash == 0 ? inspection_.context.documents.resolve(from, uri) : XmlNode();
 }
 
@@ -129,7 +129,7 @@ XmlNode inputOf(XmlNode parent, std::string_view semantic) {
 }
 
 int offsetOf(XmlNode input) {
-    constexpr int kFarOut = 1 << 20;  // so that sums of offsets stay numbers; no list is that wide
+    constexpr int kFarOut = 1 << 20;  // keeps sums of offsets from overflowing; no list is that wide
     return std::clamp(integerAttribute(input, "offset", 0), 0, kFarOut);
 }
 
@@ -166,14 +166,14 @@ bool isIdentity(const glm::dmat4& matrix) {
     return isSame(matrix, glm::dmat4(1.0));
 }
 
-Crowding verticesOver(const Subject& subject, XmlNode skin, std::size_t limit) {
+ManyInfluences verticesWithMoreJoints(const Subject& subject, XmlNode skin, std::size_t limit) {
     const XmlNode element = skin.child("vertex_weights");
     const std::vector<double>& weights =
         subject.numbers(subject.sourceOf(element, "WEIGHT").child("float_array"));
     const auto offset = static_cast<std::size_t>(offsetOf(inputOf(element, "WEIGHT")));
     const auto stride = static_cast<std::size_t>(indicesPerCorner(element));
     const std::vector<std::int32_t> indices = integersOf(element.child("v"));
-    Crowding crowding;
+    ManyInfluences many;
     std::size_t pair = 0;
     for (const std::int32_t count : integersOf(element.child("vcount"))) {
         std::size_t joints = 0;
@@ -181,10 +181,10 @@ Crowding verticesOver(const Subject& subject, XmlNode skin, std::size_t limit) {
             const auto index = static_cast<std::size_t>(std::max(0, indices[pair * stride + offset]));
             joints += index < weights.size() && weights[index] > 0.0;
         }
-        crowding.vertices += joints > limit;
-        crowding.most = std::max(crowding.most, joints);
+        many.vertices += joints > limit;
+        many.most = std::max(many.most, joints);
     }
-    return crowding;
+    return many;
 }
 
 std::string nameOf(XmlNode element) {

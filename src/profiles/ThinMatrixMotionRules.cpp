@@ -5,13 +5,14 @@
 
 #include "profiles/Rules.h"
 
-// SkeletonLoader, AnimationLoader and Animator of the series: see ThinMatrixRules.cpp.
+// Rules from the series' SkeletonLoader, AnimationLoader and Animator, which ThinMatrixRules.cpp names.
 namespace walkcycle {
 namespace {
 
 constexpr std::size_t kMostJoints = 50;  // AnimatedModelShader.MAX_JOINTS
 
-// The series' joints: the first <node> in the one called "Armature", and every <node> below it, parents first.
+// The joints as the series reads them: the first <node> within the node "Armature", and every <node> below
+// that one; parents first.
 struct Joints {
     std::vector<XmlNode> nodes;
     std::vector<glm::dmat4> rest;  // from the joint to the armature, as the <matrix>es have it
@@ -65,7 +66,8 @@ void checkJoints(const Subject& subject, const Joints& joints, const std::vector
         subject.report(Code::TmTooManyJoints, joints.nodes.front(), {std::to_string(joints.nodes.size())});
 }
 
-// The series inverts the rest pose instead of reading INV_BIND_MATRIX; that is the same where the mesh was bound in it.
+// The series inverts the rest pose instead of reading INV_BIND_MATRIX. The two agree if the mesh was bound in
+// its rest pose.
 void checkRestPose(const Subject& subject, XmlNode skin, const Joints& joints,
                    const std::vector<std::string>& names) {
     const XmlNode source = subject.sourceOf(skin.child("joints"), "INV_BIND_MATRIX");
@@ -108,7 +110,7 @@ std::vector<Track> tracksOf(const Subject& subject, XmlNode library) {
     return tracks;
 }
 
-// The first float_array of the first animation is taken for the times of all.
+// The series takes the first <float_array> of the first <animation> as the key times of all animations.
 void checkTimes(const Subject& subject, XmlNode library, const std::vector<Track>& tracks) {
     const XmlNode array = library.child("animation").child("source").child("float_array");
     const std::vector<double>& times = subject.numbers(array);

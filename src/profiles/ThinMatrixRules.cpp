@@ -3,7 +3,7 @@
 
 #include "profiles/Rules.h"
 
-// What the parser of ThinMatrix's series on skeletal animation needs, as its code has it:
+// What the parser of ThinMatrix's series on skeletal animation needs, read from its code:
 // https://github.com/TheThinMatrix/OpenGL-Animation (ColladaParser)
 namespace walkcycle {
 namespace {
@@ -12,7 +12,8 @@ constexpr std::size_t kJointsPerVertex = 3;  // GeneralSettings.MAX_WEIGHTS
 
 // ---- the text (XmlParser, which reads line by line)
 
-// The first line is skipped; after it each line is one tag, with its text and its end if it has no children.
+// XmlParser skips the first line, and takes each line after it as one tag, with its text and its end tag if
+// it has no children.
 void checkLayout(const Subject& subject) {
     std::size_t faults = 0;
     XmlNode firstFault;
@@ -30,7 +31,8 @@ void checkLayout(const Subject& subject) {
     if (faults > 0) subject.report(Code::TmLayout, firstFault, {std::to_string(faults)}, line);
 }
 
-// String.split(" ") gives an empty word for a second space or one at the start, and no number is empty.
+// Java's String.split(" ") gives an empty word for a leading space and for two spaces in a row, and an empty
+// word is no number.
 bool splitsBadly(std::string_view text) {
     const std::size_t end = text.find_last_not_of(' ');
     if (end == std::string_view::npos) return false;
@@ -60,7 +62,8 @@ void checkWidth(const Subject& subject, XmlNode source, const char* what, int ex
                        {what, std::to_string(expected), std::to_string(strideOf(source))});
 }
 
-// Indices 0, 1 and 2 of as many as there are inputs.
+// GeometryLoader takes indices 0, 1 and 2 of a corner for VERTEX, NORMAL and TEXCOORD, and expects as many
+// indices as there are <input>s.
 void checkInputs(const Subject& subject, XmlNode polylist) {
     int inputs = 0;
     for (const XmlNode input : polylist.children("input")) inputs += static_cast<bool>(input);
@@ -104,10 +107,10 @@ void checkSkin(const Subject& subject, XmlNode skin, XmlNode geometry) {
         subject.report(Code::TmOtherGeometry, skin, {nameOf(geometry), nameOf(meant)});
     const XmlNode shape = skin.child("bind_shape_matrix");
     if (shape && !isIdentity(matrixOf(numbersOf(shape)))) subject.report(Code::TmBindShape, shape, {});
-    const Crowding crowding = verticesOver(subject, skin, kJointsPerVertex);
-    if (crowding.vertices > 0)
+    const ManyInfluences many = verticesWithMoreJoints(subject, skin, kJointsPerVertex);
+    if (many.vertices > 0)
         subject.report(Code::TmManyInfluences, skin.child("vertex_weights"),
-                       {std::to_string(crowding.vertices), std::to_string(crowding.most)});
+                       {std::to_string(many.vertices), std::to_string(many.most)});
 }
 
 void reportOthers(const Subject& subject, XmlNode first, const char* name) {
@@ -144,6 +147,7 @@ void checkThinMatrix(const Subject& subject) {
         subject.report(Code::TmNoSkin, controllers ? controllers : subject.collada(), {});
     reportOthers(subject, geometry, "geometry");
     reportOthers(subject, controllers.child("controller"), "controller");
+    checkThinMatrixMotion(subject);
 }
 
 }  // namespace walkcycle

@@ -33,7 +33,7 @@ void AnimatedModel::sampleAt(double documentSeconds) {
     scene_.apply(*model_, animator_.parameters());
 }
 
-// Hiding a node hides what hangs on it.
+// A hidden node hides its descendants.
 bool AnimatedModel::visible(int node) const {
     for (int n = node; n != kNoParent; n = model_->skeleton.joints[static_cast<std::size_t>(n)].parent) {
         if (!scene_.nodeVisible[static_cast<std::size_t>(n)]) return false;

@@ -12,8 +12,8 @@ namespace walkcycle {
 
 class ModelResource;
 
-// A character on the screen: a model's buffers on the GPU, which its copies share, and the Animator that
-// moves this one. Needs a current OpenGL context. Starts in the rest pose.
+// A character on the screen: the model's buffers on the GPU, which all copies share, and the Animator of this
+// one. Needs a current OpenGL context. Starts in the rest pose.
 //
 //     AnimatedModel model(loadCollada("res/walker.dae"));
 //     model.doAnimation(model.animations().front());
@@ -25,7 +25,7 @@ public:
 
     const std::vector<Animation>& animations() const { return model_->animations; }
     void doAnimation(
-        const Animation& animation);  // one of this model, or made for its skeleton and outliving this
+        const Animation& animation);  // a clip of this model, or of its skeleton; it must outlive this
     void update(double seconds);
     void setTime(double seconds);
     void sampleAt(double documentSeconds);
@@ -33,10 +33,10 @@ public:
     const Model& model() const { return *model_; }
     const Animator& animator() const { return animator_; }
     const SceneState& scene() const { return scene_; }  // materials, cameras, lights as they are now
-    bool visible(int node) const;                       // neither the node nor one above it is hidden
+    bool visible(int node) const;                       // neither the node nor an ancestor is hidden
 
-    // What a camera must show so that nothing leaves the picture during the clip (without one: the rest
-    // pose). Worked out when first asked for after doAnimation.
+    // The bounds that the model stays within during the whole clip (without a clip: of the rest pose).
+    // Computed at the first call after doAnimation().
     const Bounds& bounds() const;
 
     const std::shared_ptr<ModelResource>& resource() const { return resource_; }

@@ -125,11 +125,12 @@ void AnimatedModelRenderer::Impl::drawPart(const Scene& scene, const AnimatedMod
 void AnimatedModelRenderer::Impl::drawSolid(const Scene& scene, const AnimatedModelShader& shader) {
     setBlending(false);
     if (scene.options.wireframe) {
-        glEnable(GL_POLYGON_OFFSET_FILL);  // leaves the edges in front
+        glEnable(GL_POLYGON_OFFSET_FILL);  // moves surfaces back, so that the edges lie in front
         glPolygonOffset(1.0f, 1.0f);
     }
     for (const Draw& draw : solid) drawPart(scene, shader, draw, Pass::All);
-    // Hair and leaves: where their picture is solid they hide what is behind them, in whatever order they come.
+    // Hair and leaves: the opaque pixels of their texture hide what is behind them, whatever the order of
+    // drawing.
     for (const Draw& draw : seeThrough) {
         if (hasTexture(*draw.material, Slot::Transparent)) drawPart(scene, shader, draw, Pass::Solid);
     }

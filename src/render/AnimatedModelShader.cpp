@@ -13,7 +13,7 @@
 namespace walkcycle {
 namespace {
 
-// Slots that the studio's light looks at.
+// The slots that studio light uses.
 constexpr std::uint32_t bit(Slot slot) {
     return 1u << static_cast<unsigned>(slot);
 }
@@ -48,7 +48,7 @@ ShaderProgram program(const AnimatedModelShader::Variant& variant) {
     return ShaderProgram({{"animatedModelVertex"}, {"surface", "fileFragment"}}, defines(variant));
 }
 
-// Grey, for a part that no material is bound to or whose material says nothing about its colour.
+// Grey, for a part without a material, or with a material that has neither a diffuse nor an emission colour.
 constexpr glm::vec4 kClay{0.75f, 0.75f, 0.75f, 1.0f};
 
 std::array<glm::vec4, kSlotCount> slotColors(const Material& material, Lighting lighting) {

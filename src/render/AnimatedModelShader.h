@@ -14,13 +14,13 @@
 
 namespace walkcycle {
 
-// What animatedModelVertex.glsl must be told of an instance before it can deform it.
+// The uniforms by which animatedModelVertex.glsl deforms an instance.
 struct DeformUniforms {
     struct Values {
-        int firstJoint = 0;           // where the palette begins
-        int jointsPerWalker = 0;      // in a crowd: from one walker's palette to the next one's
-        int influenceCount = 1;       // of the first four, the most that a vertex has
-        glm::ivec2 morphRange{0, 0};  // from which to before which entry of `morphs`
+        int firstJoint = 0;       // index of the instance's first matrix in the palette
+        int jointsPerWalker = 0;  // in a crowd: matrices per walker; the next palette begins so much later
+        int influenceCount = 1;   // the most influences of a vertex, up to four
+        glm::ivec2 morphRange{0, 0};  // [first, end) in `morphs`
         int positionCount = 0;
         int vertexCount = 0;
     };
@@ -32,21 +32,22 @@ private:
     GLint firstJoint_, jointsPerWalker_, influenceCount_, morphRange_, positionCount_, vertexCount_;
 };
 
-// The #defines by which animatedModelVertex.glsl can do what a model needs.
+// The #defines of animatedModelVertex.glsl for what a model needs.
 std::string deformDefines(const ShaderNeeds& needs);
 
 // The program that draws a model: skinning and morphs in the vertex shader, one of two kinds of light in the
-// fragment shader. A variant holds what a model needs, so that a model needs a single one.
+// fragment shader. A variant has the needs of all parts of a model, so that one variant draws the whole
+// model.
 class AnimatedModelShader {
 public:
     struct Variant {
         Lighting lighting = Lighting::Studio;
-        bool encodesItself = false;  // the target does not turn linear light into sRGB
+        bool encodesItself = false;  // the shader converts light to sRGB, because the target does not
         ShaderNeeds needs;
 
         auto operator<=>(const Variant&) const = default;
     };
-    // Which fragments of a part with transparency a draw keeps.
+    // The fragments of a transparent part that a draw keeps.
     enum class Pass { All, Solid, Backs, Fronts };
 
     explicit AnimatedModelShader(const Variant& variant);

@@ -21,8 +21,8 @@ glm::vec3 asTaken(const glm::vec3& srgb, bool encodesItself) {
     return encodesItself ? srgb : linearOfSrgb(srgb);
 }
 
-// A point of the picture and of depth d is A + d * B in model space, homogeneous, where A depends on the point and B does
-// not. The ground is where that has no height.
+// A point of the picture at depth d is A + d * B in model space (homogeneous), where A depends on the point
+// and B does not. The point lies on the ground at the d for which y is 0.
 glm::mat3x4 groundAt(const Camera& camera, double step) {
     const glm::dmat4 fromPicture = glm::inverse(glm::dmat4(camera.viewProjection()));
     const glm::dvec4 b = fromPicture[2];
@@ -32,7 +32,7 @@ glm::mat3x4 groundAt(const Camera& camera, double step) {
         return glm::vec4(met.x / step, met.z / step, met.w, -a.y * sign);
     };
     glm::mat3x4 columns(column(fromPicture[0]), column(fromPicture[1]), column(fromPicture[3]));
-    columns[2].w += static_cast<float>(b.y * sign);  // depth -1 is where the picture begins
+    columns[2].w += static_cast<float>(b.y * sign);  // depth -1 is the near plane
     return columns;
 }
 

@@ -14,13 +14,14 @@
 
 namespace walkcycle {
 
-// Fills the picture before anything is drawn: with a soft gradient, a colour, or nothing; and with the ground, a grid
-// in the plane y = 0 whose steps fit the size of what stands on it, fading out around it.
+// Fills the picture before anything else is drawn: with a soft gradient, a colour, or nothing, and with a
+// grid on the ground (the plane y = 0). The grid's steps fit the size of the model that stands on it, and it
+// fades out around the model.
 class BackgroundRenderer {
 public:
     struct Ground {
         const Camera& camera;
-        const Bounds& bounds;  // of what stands on it
+        const Bounds& bounds;  // of the model that stands on it
     };
 
     // Without `ground`: no grid.

@@ -10,7 +10,7 @@ namespace walkcycle {
 // A long array that shaders read with texelFetch: palettes, influences, morph deltas, lights.
 class BufferTexture {
 public:
-    // `format` is that of a texel: GL_RGBA32F, GL_RG32F, GL_RG32UI.
+    // `format` is the format of a texel: GL_RGBA32F, GL_RG32F, GL_RG32UI.
     explicit BufferTexture(GLenum format);
 
     void bind(int unit) const;
@@ -20,7 +20,7 @@ public:
         buffer_.store(data, usage);
     }
 
-    // How many texels fit here. OpenGL 3.3 promises 65,536.
+    // The most texels that a buffer texture can have on this device. OpenGL 3.3 guarantees 65,536.
     static std::size_t maxTexels();
 
 private:

@@ -14,7 +14,7 @@ namespace walkcycle {
 namespace {
 
 constexpr float kFramingFovDegrees = 30.0f;  // long enough to keep a body's proportions
-constexpr float kRoom = 1.05f;               // the picture is larger than what it frames
+constexpr float kRoom = 1.05f;               // how much larger the picture is than what it frames
 constexpr double kMinFov = 1e-3, kMaxFov = 179.0;
 
 std::array<glm::vec3, 8> corners(const Bounds& bounds) {
@@ -27,7 +27,7 @@ std::array<glm::vec3, 8> corners(const Bounds& bounds) {
     return points;
 }
 
-// What is empty or flat still needs a picture.
+// The bounds to frame: a box of size 1 or 2 in place of empty bounds or a single point.
 Bounds something(const Bounds& bounds) {
     Bounds box = bounds;
     if (box.empty()) box = Bounds{glm::vec3(-1.0f), glm::vec3(1.0f)};
@@ -38,7 +38,7 @@ Bounds something(const Bounds& bounds) {
     return box;
 }
 
-// A rotation whose -Z looks along `direction`, as near to `up` as it can be.
+// A rotation whose -Z points along `direction`, and whose +Y is as close to `up` as possible.
 glm::mat3 looking(const glm::vec3& direction, const glm::vec3& up) {
     const glm::vec3 back = -glm::normalize(direction);
     glm::vec3 right = glm::cross(up, back);
@@ -51,9 +51,9 @@ glm::mat3 looking(const glm::vec3& direction, const glm::vec3& up) {
 }
 
 glm::mat4 viewFrom(const glm::mat3& axes, const glm::vec3& position) {
-    const glm::mat3 turn = glm::transpose(axes);
-    glm::mat4 view(turn);
-    view[3] = glm::vec4(-(turn * position), 1.0f);
+    const glm::mat3 rotation = glm::transpose(axes);
+    glm::mat4 view(rotation);
+    view[3] = glm::vec4(-(rotation * position), 1.0f);
     return view;
 }
 
@@ -61,8 +61,8 @@ struct Depths {
     float near, far;
 };
 
-// The planes just around the bounds and the ground about them, with the near one not too close for the depth
-// buffer's precision.
+// Near and far planes that enclose the bounds and the ground around them. The near plane stays far enough
+// away for the depth buffer's precision.
 Depths depthsAround(const Bounds& bounds, const glm::mat4& view) {
     const glm::vec3 center(view * glm::vec4(bounds.center(), 1.0f));
     const float radius = bounds.diagonal() * 0.5f;
@@ -84,7 +84,7 @@ glm::vec3 direction(CameraPreset preset) {
         case CameraPreset::Auto:
             break;
     }
-    return {0.55f, 0.25f, 1.0f};  // a little from the side and above, as one photographs a statue
+    return {0.55f, 0.25f, 1.0f};  // a little from the side and from above
 }
 
 bool finite(const glm::mat4& matrix) {
@@ -96,8 +96,7 @@ bool finite(const glm::mat4& matrix) {
     return true;
 }
 
-// The rigid part of a transform: where its node is and how it is turned, without its scale, shear or
-// mirroring.
+// The view from a node: the inverse of its position and rotation, without its scale, shear or mirroring.
 glm::mat4 rigidView(const glm::mat4& node) {
     if (!finite(node) || glm::length(glm::vec3(node[2])) < 1e-20f) return glm::mat4(1.0f);
     const glm::vec3 up =
@@ -113,7 +112,8 @@ struct HalfSize {
     double x, y;
 };
 
-// Of width and height one may be missing: the camera's aspect gives it, or the picture's where it has none.
+// Half width and half height. If one is missing, the aspect of the camera gives it, else the aspect of the
+// picture.
 HalfSize completed(std::optional<double> x, std::optional<double> y, std::optional<double> aspect,
                    double pictureAspect, double otherwise) {
     const double ratio = aspect && *aspect > 0.0 && std::isfinite(*aspect) ? *aspect : pictureAspect;
@@ -172,7 +172,7 @@ Camera Camera::framingFrom(const Bounds& wanted, float aspect, const glm::vec3& 
     const glm::mat3 axes = looking(-towardsCamera, up);
     const float halfY = std::tan(glm::radians(kFramingFovDegrees) * 0.5f), halfX = halfY * aspect;
 
-    // Each corner tells how far away the camera must be to see it.
+    // The camera must be far enough away to see each corner.
     float distance = 0.0f;
     for (const glm::vec3& corner : corners(bounds)) {
         const glm::vec3 p = (corner - bounds.center()) * axes;

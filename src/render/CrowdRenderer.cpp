@@ -21,7 +21,7 @@ constexpr std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// The skin that moves an instance; null where nothing but its node does.
+// The skin of an instance; null if its node alone moves it.
 const Skin* skinOf(const Model& model, const MeshInstance& instance) {
     for (const Deformer& deformer : instance.deformers)
         if (deformer.kind == Deformer::Kind::Skin) return &model.skins[index(deformer.index)];
@@ -39,7 +39,8 @@ void requireShader(const AnimatedModel& model) {
             throw GraphicsError("a crowd cannot be drawn of a model that the shader cannot deform");
 }
 
-// Where the model's own renderer would draw a part: with the solid ones, with what shows through, or with both.
+// The passes that draw a part, of the solid or of the transparent round; the same as in
+// AnimatedModelRenderer.
 std::vector<Pass> passes(const Material& material, bool seeThrough) {
     if (!showsThrough(material)) return seeThrough ? std::vector<Pass>{} : std::vector{Pass::All};
     if (seeThrough) return {Pass::Backs, Pass::Fronts};
@@ -88,7 +89,7 @@ const AnimatedModelShader& CrowdRenderer::Impl::start(const AnimatedModel& model
     return shader;
 }
 
-// As many walkers on each page as fit. Returns how many those are.
+// Fills pages of the palette with walkers. Returns the number of walkers per page.
 std::size_t CrowdRenderer::Impl::upload(std::span<const JointRows> palettes, std::size_t stride) {
     const std::size_t walkersAPage = palette.maxJoints() / stride;
     if (walkersAPage == 0) throw GraphicsError("a walker's palette is larger than a texture buffer here");

@@ -14,8 +14,9 @@
 
 namespace walkcycle {
 
-// Draws many walkers of one model, each at a place and a time of its own, with one call for each part of the model: all
-// their palettes lie in one texture, and the instance's number says where a walker's begins.
+// Draws many walkers of one model, each with its own position and time, with one OpenGL call per part of the
+// model. The palettes of all walkers lie in one texture, and the number of the walker (gl_InstanceID) says
+// where its palette begins.
 //
 //     std::vector<JointRows> palettes;
 //     for (const Walker& walker : walkers) {
@@ -26,20 +27,21 @@ namespace walkcycle {
 //     renderer.clear(picture);  // an AnimatedModelRenderer's
 //     crowd.draw(model, palettes, camera, picture);
 //
-// A FastPoser or a CrowdPoser makes the palettes of a model with a single skinned mesh much faster.
-// Materials, lights and morph weights are the model's, the same for all. Walkers that show through are not sorted. Keeps
-// its shaders and work memory, and belongs to the OpenGL context that it was made in.
+// A FastPoser or a CrowdPoser makes the palettes of a model with a single skinned mesh much faster. All
+// walkers share the model's materials, lights and morph weights. Transparent walkers are not sorted by
+// distance. Keeps its shaders and work memory, and belongs to the OpenGL context in which it was made.
 class CrowdRenderer {
 public:
     CrowdRenderer();
-    // `maxTexels`: how large a texture buffer may be; more walkers than fit are drawn in several calls.
+    // `maxTexels`: the largest texture buffer; if the palettes do not fit into one, they are drawn in several
+    // calls.
     explicit CrowdRenderer(std::size_t maxTexels);
     ~CrowdRenderer();
     CrowdRenderer(CrowdRenderer&&) noexcept;
     CrowdRenderer& operator=(CrowdRenderer&&) noexcept;
 
-    // `palettes`: walker after walker, each of jointsPerWalker(model). Throws GraphicsError where that is more than a
-    // texture buffer holds, or the shader cannot deform the model.
+    // `palettes`: walker after walker, jointsPerWalker(model) matrices each. Throws GraphicsError if one
+    // palette exceeds a texture buffer, or the shader cannot deform the model.
     void draw(const AnimatedModel& model, std::span<const JointRows> palettes, const Camera& camera,
               const RenderTarget& target, const RenderOptions& options = {});
 
@@ -48,14 +50,14 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// How many matrices a walker's palette has: for each mesh instance of the model those of its skin, or one that places it
-// where it has none.
+// The number of matrices in a walker's palette: for each mesh instance those of its skin, or, without a skin,
+// one that places it.
 std::size_t jointsPerWalker(const Model& model);
 
-// Adds the palette of the pose that the model has now.
+// Appends the palette of the model's present pose.
 void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes);
 
-// Moves a walker, or several, to where they stand.
+// Moves the palettes of one or more walkers by `placement`.
 void place(std::span<JointRows> palette, const glm::mat4& placement);
 
 }  // namespace walkcycle

@@ -6,21 +6,22 @@
 
 namespace walkcycle {
 
-// Sets everything that drawing relies on and that somebody else may have changed. Returns whether shaders must turn
-// light into sRGB: a framebuffer of ours does it by itself, a window's may not.
+// Sets all OpenGL state that drawing relies on and that other code may have changed. Returns whether shaders
+// must convert light to sRGB: our own framebuffers do that themselves, a window's may not.
 bool startDrawingTo(const RenderTarget& target);
 
 bool hasTexture(const Material& material, Slot slot);
 bool showsThrough(const Material& material);
 
-// Blending takes place in light, so the target must turn that into sRGB. Without blending the shader does it, once a
-// fragment, where the target would once a sample.
+// Whether the shader converts light to sRGB. Blending needs linear light, so with blending the target must
+// convert. Without blending the shader does, because it runs once per fragment and the target converts once
+// per sample.
 bool shaderEncodes(bool encodesItself, const ShaderNeeds& needs);
 
-// For solid parts, or for parts that show through.
+// Off for solid parts, on for transparent parts.
 void setBlending(bool on);
 
-// What a part without a material looks like.
+// The material of parts that have none.
 const Material& plainMaterial();
 
 }  // namespace walkcycle

@@ -16,7 +16,8 @@ glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise) {
     return length > 0.0f && std::isfinite(length) ? vector / length : otherwise;
 }
 
-// The cone's edge. A full cone of 180 degrees or more lights everything in front of the spot, or around it.
+// The cosine of half the cone's angle. A cone of 180 degrees lights everything in front of the spot; a larger
+// one, more.
 float coneCosine(const SceneLight& light) {
     return std::cos(glm::radians(std::clamp(light.falloffAngle, 0.0f, 360.0f)) * 0.5f);
 }

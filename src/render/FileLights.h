@@ -10,7 +10,7 @@
 
 namespace walkcycle {
 
-// The document's lights at one moment, as fileFragment.glsl reads them: four texels a light,
+// The document's lights at one moment, in the form that fileFragment.glsl reads: four texels per light,
 //     position and 1, or the direction towards a directional light and 0
 //     where a spot points, and the cosine of half its angle (-2: not a spot)
 //     colour times intensity, falloff exponent
@@ -18,7 +18,7 @@ namespace walkcycle {
 // A document without lights gets a white headlight at the camera.
 class FileLights {
 public:
-    void gather(const AnimatedModel& model, const Camera& camera);  // reuses its memory
+    void gather(const AnimatedModel& model, const Camera& camera);  // reuses the memory of the last call
 
     const glm::vec3& ambient() const { return ambient_; }
     const std::vector<glm::vec4>& texels() const { return texels_; }

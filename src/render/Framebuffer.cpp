@@ -43,7 +43,7 @@ int maxSamples() {
     return std::min(forColor, forDepth);
 }
 
-// Very large pictures take fewer samples rather than all the memory there is.
+// Very large pictures get fewer samples, so that they do not use up all memory.
 int affordable(int samples, int width, int height) {
     constexpr std::int64_t most = std::int64_t{1} << 30, bytesPerSample = 8;
     while (samples > 1 && bytesPerSample * samples * width * height > most) samples /= 2;
@@ -110,7 +110,7 @@ Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newF
                                  std::to_string(maxFramebufferSize()) + " pixels wide and high");
     }
     while (glGetError() != GL_NO_ERROR) {
-        // somebody else's; ours are asked for below
+        // errors of earlier calls; requireComplete() looks for our own
     }
     samples_ = affordable(std::clamp(samples, 1, std::max(maxSamples(), 1)), width, height);
     target_ = {.framebuffer = framebuffer_.id(), .width = width, .height = height};
@@ -141,8 +141,8 @@ void Framebuffer::resolve(const ScreenArea& drawn) const {
     glEnable(GL_FRAMEBUFFER_SRGB);
     for (const GLenum state : std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE})
         glDisable(state);
-    // Changes nothing, but has software OpenGL compile the shader once: without blending it makes a second one, for
-    // blocks of pixels that a triangle covers wholly.
+    // This blending changes no pixel, but makes software OpenGL compile the shader once. Without blending it
+    // compiles a second version, for blocks of pixels that lie completely inside a triangle.
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ZERO);
     glActiveTexture(GL_TEXTURE0);

@@ -13,16 +13,15 @@
 
 namespace walkcycle {
 
-// A picture to draw into, multisampled. Colours are kept sRGB-encoded; what is drawn and resolved is linear
-// light.
+// A multisampled picture to draw into. Colours are stored as sRGB; drawing and resolving use linear light.
 //
 //     Framebuffer picture(1280, 720);
 //     renderer.render(model, camera, picture);
 //     writeFile("walk.png", encodePng(picture.read()));
 class Framebuffer {
 public:
-    // Takes as many samples as asked for, or as many as there are. Throws
-    // std::runtime_error where the driver refuses the size.
+    // Has as many samples as asked for, or as the driver allows. Throws std::runtime_error if the driver
+    // refuses the size.
     Framebuffer(int width, int height, int samples = 4);
 
     int width() const { return target_.width; }
@@ -31,35 +30,37 @@ public:
     float aspect() const { return target_.aspect(); }
 
     const RenderTarget& target() const { return target_; }
-    operator RenderTarget() const { return target_; }  // NOLINT: a framebuffer is a place to draw into
+    operator RenderTarget() const { return target_; }  // NOLINT: a picture can be passed as a target
 
     // The picture, rows from the top, with straight alpha: coverage times opacity, and black where it is 0.
     Image read() const { return read(ScreenArea::whole()); }
-    // The same, where nothing but the background was drawn outside of an area: on software OpenGL it takes less time.
+    // The same, if nothing but the background was drawn outside of an area: software OpenGL takes less time
+    // for it.
     Image read(const ScreenArea& drawn) const;
 
 private:
     void resolve(const ScreenArea& drawn) const;
 
     using Renderbuffer = GlObject<gl::deleteRenderbuffer>;
-    // What a multisampled picture is resolved with, the backdrop on the same way. Our own shader, because the one that
-    // software OpenGL makes for glBlitFramebuffer is compiled anew in each process, for 50 ms.
+    // Resolves a multisampled picture, and lays the backdrop under it in the same pass. It has a shader of
+    // our own, because the one that software OpenGL makes for glBlitFramebuffer is compiled anew in each
+    // process, which takes 50 ms.
     struct Resolver {
         Resolver(int width, int height);
-        const ShaderProgram& program(int samples);  // for the underlay as it is
+        const ShaderProgram& program(int samples);  // for the present underlay
 
         GlObject<gl::deleteFramebuffer> framebuffer;
         Renderbuffer color;
         Vao noInputs;
         std::optional<Backdrop> underlay;
-        // Of each variant, and last the one without an underlay; made when first needed.
+        // One per variant of the backdrop, and last the one without; each is made when first needed.
         std::array<std::optional<ShaderProgram>, Backdrop::kVariants + 1> programs;
     };
 
     GlObject<gl::deleteFramebuffer> framebuffer_;
-    GlObject<gl::deleteTexture> samplesTexture_;  // the colours, where there are several a pixel
+    GlObject<gl::deleteTexture> samplesTexture_;  // the colours, if there are several samples per pixel
     Renderbuffer color_, depth_;
-    std::unique_ptr<Resolver> resolver_;  // null where there is a single sample
+    std::unique_ptr<Resolver> resolver_;  // null if there is a single sample per pixel
     RenderTarget target_;
     int samples_ = 0;
 };

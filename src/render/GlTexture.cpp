@@ -60,7 +60,7 @@ bool usesMipMaps(GLint minFilter) {
     return minFilter != GL_NEAREST && minFilter != GL_LINEAR;
 }
 
-// The border is given to the shader as it is, while texels are decoded on the way.
+// The border colour reaches the shader as it is, whereas texels are converted to linear light on the way.
 glm::vec4 borderColor(const Texture& texture, TexelKind kind) {
     if (texture.wrapS == Wrap::None || texture.wrapT == Wrap::None) return glm::vec4(0.0f);
     const glm::vec4& border = texture.borderColor;
@@ -106,7 +106,8 @@ GlTexture::GlTexture() : texture_(newTexture()) {
 
 GlTexture::GlTexture(const Texture& texture, TexelKind kind) : GlTexture() {
     const GLint minFilter = glMinFilter(texture.minFilter);
-    // First, or some drivers make room for a single level, and again when the second arrives.
+    // Set first: otherwise some drivers allocate a single level, and everything again when the second level
+    // arrives.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minFilter);
     uploadLevels(*texture.image, kind, usesMipMaps(minFilter));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, glMagFilter(texture.magFilter));

@@ -6,15 +6,15 @@
 
 namespace walkcycle {
 
-// A picture on the GPU, wrapped and filtered as the file's sampler says. (The series' Texture; that name is
-// the model's here.) Shaders get linear light from a Color picture. Row 0 is the picture's top, so shaders
-// look up 1 - v where COLLADA has v.
+// A picture on the GPU, wrapped and filtered as the file's sampler says. (It is the series' Texture; here the
+// model uses that name.) From a Color picture, shaders read linear light. Row 0 is the top of the picture, so
+// a shader reads at 1 - v for COLLADA's v.
 class GlTexture {
 public:
     // The texture must have its image. A picture larger than the driver takes is halved until it fits.
     GlTexture(const Texture& texture, TexelKind kind);
 
-    // A single white texel, for what has no picture.
+    // A single white texel, for slots without a picture.
     static GlTexture white();
 
     void bind(int unit) const;

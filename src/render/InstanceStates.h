@@ -14,28 +14,30 @@
 
 namespace walkcycle {
 
-// How each instance of a model is deformed at one moment: palettes, morph coefficients, and, for what the shader
-// cannot do, vertices deformed here. Keeps its memory, so that nothing is allocated per picture.
+// How each instance of a model is deformed at one moment: palettes, morph coefficients and, for instances
+// that the shader cannot deform, vertices deformed on the CPU. Keeps its memory, so that pictures after the
+// first allocate nothing.
 class InstanceStates {
 public:
     struct State {
         bool visible = true;
         std::size_t page = 0;  // of the palette
         DeformUniforms::Values deform;
-        std::size_t firstMatrix = 0;  // where its palette begins among all of this moment
+        std::size_t firstMatrix = 0;  // index of its palette in matrices_
         std::size_t matrixCount = 0;
     };
 
     void prepare(const AnimatedModel& model);
     const std::vector<State>& states() const { return states_; }
 
-    // Binds what the shader reads for an instance, and returns what it must be told.
+    // Binds the textures that the shader reads for an instance, and returns the values of its uniforms.
     const DeformUniforms::Values& bind(const AnimatedModel& model, std::size_t instance) const;
 
-    // Where in a picture the instances can be; the whole of it where that is not told quickly.
+    // The part of a picture that the instances can cover; the whole picture if that takes too long to find
+    // out.
     ScreenArea area(const AnimatedModel& model, const Camera& camera, const RenderTarget& target) const;
 
-    // Where a position of the instance is now, in model space; for sorting.
+    // The present place of one of the instance's positions, in model space; for sorting.
     glm::vec3 position(const AnimatedModel& model, std::size_t instance, std::uint32_t position) const;
 
 private:

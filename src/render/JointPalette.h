@@ -10,9 +10,10 @@
 
 namespace walkcycle {
 
-// The palettes of everything in a picture, one after the other, for shaders to read: three rows a joint, as
-// the fourth is always 0 0 0 1. No limit on joints comes from here: where a driver's texture buffers are
-// full, the next palette starts another page, and one that is too large for a page is left to CpuSkinning.
+// The palettes of all instances in a picture, one after the other, for shaders to read: three rows per joint,
+// since the fourth is always 0 0 0 1. There is no limit on joints: if a palette does not fit into the
+// driver's texture buffer any more, it starts another page, and meshes whose palette is larger than a page
+// are left to CpuSkinning.
 class JointPalette {
 public:
     struct Place {
@@ -22,7 +23,7 @@ public:
 
     explicit JointPalette(std::size_t maxTexels = BufferTexture::maxTexels());
 
-    std::size_t maxJoints() const { return maxJoints_; }  // of one palette
+    std::size_t maxJoints() const { return maxJoints_; }  // the most of one palette
     std::size_t pageCount() const { return pagesInUse_; }
 
     void clear();  // keeps its memory

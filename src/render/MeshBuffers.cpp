@@ -20,7 +20,8 @@ std::span<const T> view(const std::vector<T>& data) {
     return data;
 }
 
-// Some data are optional, and some drivers read a buffer's every entry.
+// Stores optional data only if there is an entry per vertex, because drivers may read an entry for every
+// vertex.
 template <typename T>
 void storeIfWhole(Vbo& vbo, const std::vector<T>& data, std::size_t vertices) {
     if (data.size() == vertices) vbo.store(view(data));
@@ -84,7 +85,7 @@ InfluenceBuffers::InfluenceBuffers(const Influences& influences, const MeshData&
     std::vector<std::array<float, 4>> jointWeights(mesh.vertexCount(), {0.0f, 0.0f, 0.0f, 0.0f});
     std::vector<Range> ranges(mesh.vertexCount(), {0, 0});
 
-    // Entries beyond the fourth are kept once per position, however many vertices stand there.
+    // Influences beyond the fourth are stored once per position, even if several vertices share it.
     std::vector<Range> ofPosition(mesh.positions.size(), {0, 0});
     std::vector<std::array<std::uint32_t, 2>> beyond;
     for (std::size_t p = 0; p < ofPosition.size(); ++p) {

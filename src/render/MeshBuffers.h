@@ -30,15 +30,15 @@ struct InfluenceBuffers {
 
     void feed(Vao& vao) const;
 
-    int count = 1;  // the most that one of the vertices has of its four
+    int count = 1;  // the most influences of a vertex, up to four
     Vbo joints, weights, moreRanges;
-    std::optional<BufferTexture> more;  // none where no vertex has more than four
+    std::optional<BufferTexture> more;  // empty if no vertex has more than four
 };
 
-// How many entries InfluenceBuffers::more would have: on drivers with small texture buffers it may not fit.
+// The number of entries of InfluenceBuffers::more. With a small texture buffer, they may not fit.
 std::size_t influencesBeyondFour(const Influences& influences);
 
-// What a stack of morphs adds to a mesh: target after target.
+// The deltas of a stack of morphs: target after target.
 struct MorphBuffers {
     MorphBuffers(const Model& model, const MeshInstance& instance);
 
@@ -48,10 +48,10 @@ struct MorphBuffers {
     BufferTexture positionDeltas{GL_RGBA32F}, normalDeltas{GL_RGBA32F};
 };
 
-// How many texels the larger of MorphBuffers' textures would have.
+// The number of texels in the larger of MorphBuffers' textures.
 std::size_t morphTexels(const Model& model, const MeshInstance& instance);
 
-// Positions and normals that CpuSkinning writes anew for each picture.
+// Positions and normals that CpuSkinning computes for each picture.
 struct DeformedBuffers {
     void feed(Vao& vao) const;
 

@@ -9,7 +9,7 @@
 namespace walkcycle {
 namespace {
 
-// Light in 14 bits, so that four texels add up to 16.
+// Light has 14 bits, so that the sum of four texels has 16.
 constexpr std::uint32_t kFullLight = 16383;
 
 struct Tables {
@@ -69,7 +69,7 @@ void average(const Image& image, Span rows, Span columns, const Tables& t, std::
     out[3] = static_cast<std::uint8_t>((weights + count / 2) / count);
 }
 
-// The common case, even sizes: wherever the four texels are as opaque as each other, their weights drop out.
+// The common case of even sizes. Where four texels have the same alpha, their weights cancel out.
 void averageRow(const Image& image, std::size_t y, const Tables& t, std::uint8_t* out) {
     const auto stride = static_cast<std::size_t>(image.width) * 4;
     const std::uint8_t *upper = &image.rgba[2 * y * stride], *lower = upper + stride;

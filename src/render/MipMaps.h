@@ -11,11 +11,12 @@ enum class TexelKind {
     Data    // normals, heights: averaged as they are
 };
 
-// The picture at half its width and height. Transparent texels do not bleed their colour into the others.
+// The picture at half its width and height. Colours are weighted by alpha, so that transparent
+// texels do not tint the others.
 Image halved(const Image& image, TexelKind kind);
 
-// All smaller levels of a picture, down to a single texel. (Software OpenGL takes 100 ms for what takes 10
-// here.)
+// All smaller levels of a picture, down to a single texel. (Software OpenGL needs 100 ms where this needs
+// 10.)
 std::vector<Image> mipMaps(const Image& image, TexelKind kind);
 
 }  // namespace walkcycle

@@ -23,7 +23,7 @@ TexelKind texelKind(Slot slot) {
     return slot == Slot::Bump ? TexelKind::Data : TexelKind::Color;
 }
 
-// Whether the part's pictures lie on more than one set of texture coordinates.
+// Whether the part's pictures use more than one set of texture coordinates.
 bool usesSeveralSets(const Model& model, const PartMaterial& part) {
     if (part.material < 0) return false;
     int set = -1;
@@ -35,7 +35,7 @@ bool usesSeveralSets(const Model& model, const PartMaterial& part) {
     return false;
 }
 
-// The part's sets, with -1 for slots that need none, so that parts alike share a vertex array.
+// The part's sets, with -1 for slots that need none, so that parts with equal needs share a vertex array.
 std::array<int, kSlotCount> neededSets(const Model& model, const PartMaterial& part, std::size_t setCount) {
     std::array<int, kSlotCount> sets;
     sets.fill(-1);
@@ -175,7 +175,7 @@ ModelResource::Part ModelResource::part(const Model& model, const MeshInstance& 
 
 std::size_t ModelResource::vaoFor(const Model& model, const MeshInstance& instance,
                                   const PartMaterial& material, const Instance& resource) {
-    // What the CPU deforms has buffers of its own, so its key holds the instance's number.
+    // An instance deformed on the CPU has buffers of its own, so its key contains its number.
     VaoKey key{instance.mesh, resource.influences, resource.morphBuffers ? 1 : 0,
                resource.deformedOnCpu ? static_cast<int>(instances_.size()) : -1};
     std::copy(material.texCoordSets.begin(), material.texCoordSets.end(), key.begin() + 4);
@@ -194,7 +194,7 @@ std::size_t ModelResource::vaoFor(const Model& model, const MeshInstance& instan
             VertexInput::kTextureCoords + (needs_.separateCoords ? static_cast<GLuint>(s) : 0u);
         vao.floats(location, mesh.texCoordSets[index(set)], 2);
     }
-    // Last, so that they take the place of the mesh's own.
+    // Last, so that they replace the mesh's own positions and normals.
     if (resource.deformed) resource.deformed->feed(vao);
     return found->second;
 }

@@ -15,8 +15,8 @@
 
 namespace walkcycle {
 
-// What a model asks of its shaders. All its materials and meshes together, so that one shader draws all of it; what none
-// of them has is not compiled.
+// What a model needs of its shaders, summed over all its materials and meshes, so that one shader draws all
+// of it. Features that nothing needs are not compiled.
 struct ShaderNeeds {
     std::uint32_t texturedSlots = 0;  // a bit per Slot
     bool separateCoords = false;      // slots of one part use different texture coordinates
@@ -33,14 +33,13 @@ struct ShaderNeeds {
 // was current when it was made.
 class ModelResource {
 public:
-    // What is drawn with one call: a part of an instance, its material, and the inputs that fit them.
+    // What one OpenGL call draws: a part of an instance, its material, and the vertex array that feeds it.
     struct Part {
         Primitive primitive = Primitive::Triangles;
         std::uint32_t firstIndex = 0, indexCount = 0;
-        int material = -1;    // index into Model::materials
-        std::size_t vao = 0;  // index into vaos()
-        std::uint32_t middle =
-            0;  // the file position nearest to the part's middle, by which parts are sorted
+        int material = -1;         // index into Model::materials
+        std::size_t vao = 0;       // index into vaos()
+        std::uint32_t middle = 0;  // the position nearest to the part's middle, for sorting parts by distance
     };
 
     struct Instance {
@@ -49,19 +48,19 @@ public:
         int influences = -1;
         const InfluenceBuffers* influenceBuffers = nullptr;
         const MorphBuffers* morphBuffers = nullptr;
-        std::size_t morphCount = 0;  // leading deformers that the shader sums up
+        std::size_t morphCount = 0;  // leading morphs, which the shader applies
         std::unique_ptr<DeformedBuffers> deformed;
         std::vector<Part> parts;
-        std::vector<Bounds> boxes;  // of its palette's matrices; empty where they do not tell where it is
+        std::vector<Bounds> boxes;  // boxesOfMatrices(); empty if they do not enclose the mesh
     };
 
-    // `maxTexels`: how large a texture buffer may be.
+    // `maxTexels`: the largest texture buffer.
     explicit ModelResource(const Model& model, std::size_t maxTexels = BufferTexture::maxTexels());
 
     const std::vector<Instance>& instances() const { return instances_; }
     const Vao& vao(std::size_t i) const { return vaos_[i]; }
 
-    // The slot's picture: index into Model::textures. Null where there is none.
+    // The picture of Model::textures[index], in the form that the slot needs. Null if there is none.
     const GlTexture* texture(int index, Slot slot) const;
     const GlTexture& white() const { return white_; }
 

@@ -5,8 +5,8 @@
 namespace walkcycle {
 
 enum class Lighting {
-    Studio,  // ours: a key, a fill and soft light from the sky, for any model
-    File     // the document's own lights and materials by the specification's formulas
+    Studio,  // our own: a key light, a fill light and soft light from the sky, for any model
+    File     // the document's lights and materials, by the specification's formulas
 };
 
 enum class Background {

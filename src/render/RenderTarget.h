@@ -8,14 +8,15 @@
 
 namespace walkcycle {
 
-// Where a picture is drawn: a framebuffer's name (0: the window's own) and its size in pixels.
-// A Framebuffer turns into one by itself; for a window write RenderTarget{0, size.width, size.height}.
+// Where a picture is drawn: the name of a framebuffer (0: the window's own) and its size in pixels.
+// A Framebuffer converts to one; for a window write RenderTarget{0, size.width, size.height}.
 struct RenderTarget {
     GLuint framebuffer = 0;
     int width = 1;
     int height = 1;
-    // Where there is one, the renderer leaves the backdrop here, and whoever reads the picture lays it under what was
-    // drawn; that is once a pixel, not once a sample. Where there is none, it is drawn first.
+    // If not null, the renderer stores the backdrop here instead of drawing it, and the code that reads the
+    // picture lays it under what was drawn: once per pixel instead of once per sample. If null, the backdrop
+    // is drawn first.
     std::optional<Backdrop>* underlay = nullptr;
 
     float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }

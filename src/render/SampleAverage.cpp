@@ -7,8 +7,8 @@
 namespace walkcycle {
 
 glm::vec2 SampleAverage::offset(int pass) const {
-    // The device's own four samples are a quarter of a pixel apart in x and in y: the passes share out that quarter.
-    // A different order in y keeps the samples off a common line.
+    // The device's own four samples are a quarter of a pixel apart in x and in y. The shifts of the passes
+    // divide that quarter evenly; their order in y differs, so that the samples do not lie on one line.
     const int other = (pass * 3 + 1) % passes_;
     const auto share = [this](int index) {
         return ((static_cast<float>(index) + 0.5f) / static_cast<float>(passes_) - 0.5f) * 0.25f;

@@ -8,8 +8,8 @@
 
 namespace walkcycle {
 
-// More samples a pixel than the device has: the mean of several pictures of one moment, each seen by a camera shifted
-// by a fraction of a pixel.
+// More samples per pixel than the device has: the mean of several pictures of one moment, each taken by a
+// camera that is shifted by a fraction of a pixel.
 //
 //     SampleAverage average(4);
 //     for (int pass = 0; pass < 4; ++pass) {
@@ -21,11 +21,11 @@ class SampleAverage {
 public:
     explicit SampleAverage(int passes) : passes_(passes) {}
 
-    // Where pass p looks, in pixels to the right and up: with four samples of the device's own, those of all passes
-    // together stand at even distances in both directions.
+    // The shift of pass p in pixels, to the right and up. If the device has four samples per pixel, the
+    // samples of all passes together are evenly spaced in both directions.
     glm::vec2 offset(int pass) const;
 
-    void add(const Image& picture);  // straight alpha, all of one size
+    void add(const Image& picture);  // straight alpha; all pictures have the same size
     Image image() const;
 
 private:

@@ -15,8 +15,8 @@
 
 namespace walkcycle {
 
-// A vertex and a fragment shader, linked. Sources are names of files in src/render/shaders; each stage is
-// their texts one after the other, below `#version 330 core` and the given #defines.
+// A linked vertex and fragment shader. Sources are names of files in src/render/shaders; a stage is their
+// texts one after the other, after `#version 330 core` and the given #defines.
 class ShaderProgram {
 public:
     struct Stages {
@@ -25,24 +25,23 @@ public:
     };
 
     // `captured` are outputs of the vertex shader that transform feedback writes, interleaved. Throws
-    // GraphicsError with the compiler's words: a broken promise of ours or of the driver, never of a
-    // file.
+    // GraphicsError with the compiler's message; the fault is ours or the driver's, never a file's.
     explicit ShaderProgram(const Stages& stages, const std::string& defines = {},
                            std::span<const char* const> captured = {});
 
     void start() const { glUseProgram(program_.id()); }
 
-    // Where a uniform is; -1 where the shader does not use it, which setting then ignores.
+    // The location of a uniform; -1 if the shader does not use it. Setting location -1 has no effect.
     GLint uniform(const char* name) const { return glGetUniformLocation(program_.id(), name); }
 
-    // For samplers, which keep their unit: set once after linking. The program must be started.
+    // Sets the texture unit of a sampler, once after linking. The program must be started.
     void setSampler(const char* name, int unit) const { glUniform1i(uniform(name), unit); }
 
 private:
     GlObject<gl::deleteProgram> program_;
 };
 
-// Setting uniforms of the program that was started, by the value's type.
+// Sets a uniform of the started program.
 void setUniform(GLint location, int value);
 void setUniform(GLint location, float value);
 void setUniform(GLint location, const glm::vec2& value);

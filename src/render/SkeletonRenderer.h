@@ -28,7 +28,7 @@ private:
     std::vector<glm::vec3> triangles_, edges_;
 };
 
-// Per joint of the skeleton: whether it is a joint, or a skin's entry refers to it.
+// Per node of the skeleton: whether it is a joint, by its type or because a skin refers to it.
 std::vector<bool> shownJoints(const Model& model);
 
 }  // namespace walkcycle

@@ -6,7 +6,7 @@
 
 namespace walkcycle {
 
-// Between the numbers of files and screens (sRGB, IEC 61966-2-1) and amounts of light.
+// Conversions between the numbers in files and screens (sRGB, IEC 61966-2-1) and linear amounts of light.
 float linearOfSrgb(float encoded);
 float linearOfSrgb(std::uint8_t encoded);  // by table
 std::uint8_t srgbOfLinear(float light);    // rounded to the nearest byte; by table

@@ -9,14 +9,15 @@ namespace walkcycle {
 // A buffer on the GPU: vertices, indices, or what a texture buffer reads.
 class Vbo {
 public:
-    // `target` is what it is mostly bound as: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_TEXTURE_BUFFER.
+    // `target` is what store() and bind() bind it to: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER,
+    // GL_TEXTURE_BUFFER.
     explicit Vbo(GLenum target = GL_ARRAY_BUFFER);
 
     GLuint id() const { return buffer_.id(); }
     void bind() const { glBindBuffer(target_, buffer_.id()); }
     bool empty() const { return bytes_ == 0; }
 
-    // Replaces all of it. `usage` GL_STREAM_DRAW: written again for each picture.
+    // Replaces the whole content. `usage` is GL_STREAM_DRAW for data that are written again for each picture.
     template <typename T>
     void store(std::span<const T> data, GLenum usage = GL_STATIC_DRAW) {
         storeBytes(data.data(), data.size_bytes(), usage);

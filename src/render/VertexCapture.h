@@ -9,8 +9,8 @@
 
 namespace walkcycle {
 
-// Reads back what the vertex shader makes of an instance's vertices: the same text that draws them, run with
-// transform feedback and without drawing. Tests compare it with CpuSkinning.
+// Reads back the vertices that the vertex shader computes for an instance, through transform feedback and
+// without drawing. The shader is the one that draws. Tests compare its result with CpuSkinning's.
 class VertexCapture {
 public:
     struct Vertices {

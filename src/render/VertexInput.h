@@ -16,10 +16,10 @@ inline constexpr GLuint kMoreInfluences = 4;
 inline constexpr GLuint kPositionIndex = 5;
 inline constexpr GLuint kColor = 6;
 inline constexpr GLuint kTangent = 7;
-inline constexpr GLuint kTextureCoords = 8;  // and up, one per slot, where slots use different sets
+inline constexpr GLuint kTextureCoords = 8;  // and up, one per slot if slots use different sets
 }  // namespace VertexInput
 
-// The texture units of the shader's samplers; a slot's picture has the slot's number.
+// The texture units of the shader's samplers. A slot's picture uses the unit of the slot's number.
 namespace TextureUnit {
 inline constexpr int kPalette = kSlotCount;
 inline constexpr int kMoreInfluences = kPalette + 1;

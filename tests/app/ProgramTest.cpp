@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/Commands.h"
 #include "app/RunProgram.h"
 #include "app/SmallDocuments.h"
 #include "io/TestFolder.h"
@@ -30,11 +31,12 @@ TEST_F(ProgramTest, helpGoesToStandardOutputForTheProgramAndEachVerb) {
     const Ran all = runWalkcycle({"--help"});
     EXPECT_EQ(all.exitCode, 0);
     EXPECT_THAT(all.out, AllOf(HasSubstr("Examples:"), HasSubstr("render"), HasSubstr("Exit codes")));
-    for (const char* verb : {"view", "render", "info", "check", "pose", "compare", "explain"}) {
-        const Ran one = runWalkcycle({verb, "--help"});
-        EXPECT_EQ(one.exitCode, 0) << verb;
-        EXPECT_THAT(one.out, HasSubstr("Examples:")) << verb;
-        EXPECT_THAT(one.err, IsEmpty()) << verb;
+    for (const Command& verb : allCommands()) {
+        EXPECT_THAT(all.out, HasSubstr(verb.name));
+        const Ran one = runWalkcycle({verb.name, "--help"});
+        EXPECT_EQ(one.exitCode, 0) << verb.name;
+        EXPECT_THAT(one.out, HasSubstr("Examples:")) << verb.name;
+        EXPECT_THAT(one.err, IsEmpty()) << verb.name;
     }
 }
 
@@ -69,6 +71,15 @@ TEST_F(ProgramTest, wrongUsageExitsWithTwoAndOneLine) {
         EXPECT_THAT(ran.out, IsEmpty()) << testing::PrintToString(arguments);
         EXPECT_THAT(ran.err, MatchesRegex("walkcycle: error: [^\n]+\n")) << testing::PrintToString(arguments);
     }
+}
+
+TEST_F(ProgramTest, aMisspeltVerbOrOptionNamesTheNearestOne) {
+    const std::string good = file("good.dae", liftedTriangle());
+    EXPECT_THAT(runWalkcycle({"rendre"}).err, AllOf(HasSubstr("perhaps 'render'"), HasSubstr("compare")));
+    EXPECT_THAT(runWalkcycle({"pose", good, "--tiem", "1"}).err, HasSubstr("perhaps '--time'"));
+    EXPECT_THAT(runWalkcycle({"pose", "--exakt=1", good}).err, HasSubstr("perhaps '--exact'"));
+    EXPECT_THAT(runWalkcycle({good, "--wireframes"}).err, HasSubstr("perhaps '--wireframe'"));
+    EXPECT_THAT(runWalkcycle({"pose", good, "--frobnicate"}).err, Not(HasSubstr("perhaps")));
 }
 
 TEST_F(ProgramTest, aFileThatCannotBeReadExitsWithTwoAndItsName) {
@@ -232,6 +243,14 @@ TEST_F(ProgramTest, explainTellsCauseAndCure) {
         EXPECT_EQ(ran.exitCode, 0);
         EXPECT_THAT(ran.out, AllOf(HasSubstr("WC0301"), HasSubstr("means:"), HasSubstr("cure:")));
     }
+}
+
+TEST_F(ProgramTest, explainSaysWordsWhereMessagesTakeTheirsFromTheFile) {
+    EXPECT_THAT(runWalkcycle({"explain", "WC0207"}).out,
+                HasSubstr("says:  <ELEMENT> refers to 'URI', which is a <FOUND>, not a <EXPECTED>\n"));
+    EXPECT_THAT(runWalkcycle({"explain", "801"}).out, HasSubstr("--limit NAME=N"));
+    const Ran all = runWalkcycle({"explain"});
+    EXPECT_THAT(all.out, AllOf(HasSubstr("WC0402"), Not(HasSubstr("{")), Not(HasSubstr("}"))));
 }
 
 TEST_F(ProgramTest, checkAndPoseNeedNoGraphics) {

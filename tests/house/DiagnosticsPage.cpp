@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "loaders/MessageTemplate.h"
 #include "model/Diagnostic.h"
 
 namespace walkcycle::house {
@@ -50,13 +51,6 @@ std::string chapterOf(const std::string& id) {
     return chapter == chapters.end() ? "Others" : chapter->second;
 }
 
-// {0} stands for something of the file.
-std::string withDots(std::string text) {
-    for (std::size_t at; (at = text.find('{')) != std::string::npos;)
-        text.replace(at, text.find('}', at) - at + 1, "…");
-    return text;
-}
-
 // Keeps <element> from being taken for HTML.
 std::string escaped(const std::string& text) {
     std::string result;
@@ -81,7 +75,9 @@ std::string diagnosticsPage() {
         "the file is "
         "lost or wrong in the picture; a warning, that Walkcycle had to guess; an info, that something is "
         "unusual and "
-        "handled. `walkcycle explain WC0201` prints an entry of this page.\n\n"
+        "handled. `walkcycle explain WC0201` prints an entry of this page. Words in capitals stand for what "
+        "a "
+        "message takes from the file.\n\n"
         "This page is made from `src/loaders/DiagnosticCodes.inc`; do not edit it.\n";
     std::string chapter;
     std::vector<Row> rows(std::begin(kCatalogue), std::end(kCatalogue));
@@ -90,9 +86,9 @@ std::string diagnosticsPage() {
         const std::string id = idOf(row);
         if (chapterOf(id) != chapter) page += "\n## " + (chapter = chapterOf(id)) + "\n";
         page += "\n### " + id + " " + row.name + "\n\n";
-        page += "*" + std::string(nameOf(row.severity)) + "*: " + escaped(withDots(row.text)) + "\n\n";
+        page += "*" + std::string(nameOf(row.severity)) + "*: " + escaped(withWords(row.text)) + "\n\n";
         page += escaped(row.cause) + "\n\n";
-        page += "Cure: " + escaped(withDots(row.cure)) + ".\n";
+        page += "Cure: " + escaped(withWords(row.cure)) + ".\n";
         if (!*row.inBlender) continue;
         page += "\n- Blender: " + escaped(row.inBlender) + "\n";
         page += "- Maya: " + escaped(row.inMaya) + "\n";

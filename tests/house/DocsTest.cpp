@@ -47,6 +47,12 @@ TEST(DocsTest, diagnosticsPageIsWhatTheCatalogueSays) {
     EXPECT_EQ(readText(file), diagnosticsPage()) << "run the tests with UPDATE_DOCS=1";
 }
 
+TEST(DocsTest, diagnosticsPageHasWordsWhereMessagesTakeTheirsFromTheFile) {
+    EXPECT_FALSE(std::regex_search(diagnosticsPage(), std::regex(R"(\{[0-9])")));
+    EXPECT_NE(diagnosticsPage().find("&lt;ELEMENT&gt; refers to 'URI', which is not there"),
+              std::string::npos);
+}
+
 TEST(DocsTest, thePageOnCheckingNamesEveryRuleOfAProfile) {
     const std::string rules = diagnosticsPage(), page = readText(root() / "docs/checking.md");
     const auto codes = allMatches(rules, std::regex("### (WC10[0-9]{2}) "));

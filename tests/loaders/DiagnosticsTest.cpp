@@ -2,6 +2,7 @@
 
 #include "LoadText.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/MessageTemplate.h"
 
 namespace walkcycle {
 namespace {
@@ -18,6 +19,23 @@ TEST(DiagnosticsTest, everyCodeHasANumberOfItsOwnAndSaysCauseAndCure) {
         EXPECT_NE(std::string(entry.cure), "") << entry.id;
         EXPECT_EQ(&info(entry.code), &entry);
     }
+}
+
+// A bare {0} would reach the user of `explain`.
+TEST(DiagnosticsTest, everyPlaceholderHasAWordForItself) {
+    for (const CodeInfo& entry : diagnosticCatalogue())
+        for (const std::string text : {entry.text, entry.cure})
+            EXPECT_EQ(withWords(text).find_first_of("{}"), std::string::npos) << entry.id << ": " << text;
+}
+
+TEST(DiagnosticsTest, placeholdersTakeArgumentsByNumber) {
+    const auto brackets = [](std::size_t i, std::string_view word) {
+        return "[" + std::to_string(i) + " " + std::string(word) + "]";
+    };
+    EXPECT_EQ(replacePlaceholders("<{1:CHILD}> in {0:ELEMENT}{2:}", brackets),
+              "<[1 CHILD]> in [0 ELEMENT][2 ]");
+    EXPECT_EQ(replacePlaceholders("{frame} {} {0} {0:", brackets), "{frame} {} {0} {0:");
+    EXPECT_EQ(withWords("<{0:ELEMENT}> is misspelt{1:}"), "<ELEMENT> is misspelt");
 }
 
 TEST(DiagnosticsTest, aReportSaysFileLineAndElement) {

@@ -26,6 +26,7 @@ TEST(ProfileTest, targetsAreCalledByTheirNames) {
     EXPECT_EQ(profileNamed("thinmatrix"), Profile::ThinMatrix);
     EXPECT_FALSE(profileNamed("unity"));
     for (const std::string_view name : profileNames()) EXPECT_TRUE(profileNamed(name)) << name;
+    EXPECT_EQ(profileNames().size(), 4u);
 }
 
 // Whatever is wrong with a document, its rules can be asked.

@@ -1,15 +1,15 @@
 // The sum of all influences, as in the second episode of the series, for any number of joints and influences:
 //     position = sum of weight[i] * palette[joint[i]] * position
-// A rigid mesh has a palette of one. Locations are those of VertexInput in AnimatedModelShader.h.
+// A rigid mesh has a palette of one matrix. VertexInput.h has the same locations.
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in uvec4 in_jointIndices;     // the first four influences
 layout(location = 3) in vec4 in_weights;
 #ifdef MORE_INFLUENCES
-layout(location = 4) in uvec2 in_moreInfluences;   // from which to before which entry of moreInfluences
+layout(location = 4) in uvec2 in_moreInfluences;   // [first, end) in moreInfluences
 #endif
 #ifdef MORPHS
-layout(location = 5) in uint in_positionIndex;     // which of the file's positions this vertex stands at
+layout(location = 5) in uint in_positionIndex;     // this vertex's position, as an index into the file's positions
 #endif
 #ifdef VERTEX_COLORS
 layout(location = 6) in vec4 in_color;
@@ -23,15 +23,15 @@ layout(location = 8) in vec2 in_textureCoords[7];  // one per slot of the materi
 layout(location = 8) in vec2 in_textureCoords;
 #endif
 
-uniform samplerBuffer palette;         // three rows a joint
+uniform samplerBuffer palette;         // three rows per joint
 uniform usamplerBuffer moreInfluences;  // joint, and the weight's bits
 uniform samplerBuffer morphs;          // target, coefficient
 uniform samplerBuffer positionDeltas;  // target after target, one per position
 uniform samplerBuffer normalDeltas;    // target after target, one per vertex
 
-uniform int firstJoint;      // where this instance's palette begins
-uniform int jointsPerWalker; // in a crowd, from one walker's palette to the next one's
-uniform int influenceCount;  // how many of the first four its vertices use at most
+uniform int firstJoint;      // index of this instance's first joint in palette
+uniform int jointsPerWalker; // in a crowd: joints from one walker's palette to the next
+uniform int influenceCount;  // the most influences of a vertex, up to four
 uniform ivec2 morphRange;
 uniform int positionCount;
 uniform int vertexCount;
@@ -51,7 +51,8 @@ out vec2 textureCoords[7];
 out vec2 textureCoords;
 #endif
 
-// Three rows as the columns of a mat3x4: vector * rows is what matrix * vector is on the page.
+// The matrix's three rows are the columns of a mat3x4, so that `vector * rows` here is `matrix * vector` in
+// the formula.
 mat3x4 jointTransform(uint joint) {
     int texel = (firstJoint + gl_InstanceID * jointsPerWalker + int(joint)) * 3;
     return mat3x4(texelFetch(palette, texel), texelFetch(palette, texel + 1), texelFetch(palette, texel + 2));
@@ -69,12 +70,13 @@ mat3x4 sumOfInfluences() {
     return sum;
 }
 
-// Normals turn by the inverse transpose, here by cross products, which also serves where there is no inverse.
-vec3 turnNormal(mat3x4 rows, vec3 normal) {
-    mat3 turned = mat3(cross(rows[1].xyz, rows[2].xyz), cross(rows[2].xyz, rows[0].xyz),
-                       cross(rows[0].xyz, rows[1].xyz));
-    float mirrored = dot(rows[0].xyz, turned[0]) < 0.0 ? -1.0 : 1.0;
-    vec3 result = mirrored * (normal * turned);
+// Normals are transformed by the inverse transpose. It is made of cross products, which also work if there is
+// no inverse.
+vec3 transformNormal(mat3x4 rows, vec3 normal) {
+    mat3 cofactors = mat3(cross(rows[1].xyz, rows[2].xyz), cross(rows[2].xyz, rows[0].xyz),
+                          cross(rows[0].xyz, rows[1].xyz));
+    float mirrored = dot(rows[0].xyz, cofactors[0]) < 0.0 ? -1.0 : 1.0;
+    vec3 result = mirrored * (normal * cofactors);
     float size = length(result);
     return size > 0.0 ? result / size : vec3(0.0);
 }
@@ -91,7 +93,7 @@ void main() {
 #endif
     mat3x4 transform = sumOfInfluences();
     modelPosition = vec4(position, 1.0) * transform;
-    modelNormal = turnNormal(transform, normal);
+    modelNormal = transformNormal(transform, normal);
 #ifdef VERTEX_COLORS
     vertexColor = in_color;
 #endif

@@ -1,14 +1,15 @@
-// A soft gradient or one colour, and on the ground, the plane y = 0, a grid: thin lines at every step, stronger ones at
-// every tenth, fading towards the edge and where they would crowd. What never changes stands here: each number of a
-// uniform costs software OpenGL a millisecond of compiling.
+// A soft gradient or one colour, and a grid on the ground (the plane y = 0): thin lines at every step,
+// stronger ones at every tenth, which fade out towards the edge and where they would be too dense. Values
+// that never change are constants here, because each number of a uniform costs software OpenGL a millisecond
+// of compiling.
 const vec3 TOP = vec3(0.60, 0.63, 0.67), BOTTOM = vec3(0.80, 0.80, 0.79), LINE = vec3(0.35, 0.35, 0.36);  // sRGB
 const float LINE_STRENGTH = 0.55;
 
-// As the target takes colours: as light, or sRGB where it does not turn one into the other.
+// Converts sRGB to what the target stores: linear light, or sRGB if the target does not convert.
 #ifdef ENCODES_ITSELF
 vec3 taken(vec3 color) { return color; }
 #else
-vec3 taken(vec3 color) { return pow((color + 0.055) / 1.055, vec3(2.4)); }  // none is nearly black
+vec3 taken(vec3 color) { return pow((color + 0.055) / 1.055, vec3(2.4)); }  // no linear segment: no colour here is nearly black
 #endif
 
 #ifdef ONE_COLOR
@@ -20,8 +21,8 @@ vec3 behindAll() { return mix(taken(BOTTOM), taken(TOP), gl_FragCoord.y / pictur
 #endif
 
 #ifdef GRID
-in vec4 ground;       // where this pixel's line of sight meets it, in steps: xy / z; z and w are over 0 where it does
-uniform vec3 fading;  // around which place, xy, and where the grid has gone
+in vec4 ground;       // xy / z: where this pixel's line of sight meets it, in grid steps; it does if z and w are positive
+uniform vec3 fading;  // xy: the grid's centre; z: the radius at which it has faded out
 
 float lines(vec2 cells, vec2 width) {
     vec2 away = abs(fract(cells - 0.5) - 0.5) / max(width, vec2(1e-6));  // in pixels

@@ -1,6 +1,6 @@
-// The document's own materials and lights, by the formulas of COLLADA 1.4.1, chapter 8 ("<constant>", "<lambert>",
-// "<phong>", "<blinn>"). They are added up in the file's own numbers, not in linear light, as the programs of the
-// format's time did; so a colour that a file asks for is the colour on the screen.
+// The document's own materials and lights, by the formulas of COLLADA 1.4.1, chapter 8 ("<constant>",
+// "<lambert>", "<phong>", "<blinn>"). Terms are added in the file's own numbers, not in linear light, as the
+// programs of the format's time did; so a colour that a file asks for is the colour on the screen.
 uniform int shadingModel;  // 0 constant, 1 lambert, 2 phong, 3 blinn
 uniform float shininess;
 uniform float reflectivity;

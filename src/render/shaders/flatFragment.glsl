@@ -1,4 +1,5 @@
-// One colour for all: edges of wireframes, joints of skeletons. Given as linear light, premultiplied.
+// A single colour, for the edges of wireframes and the joints of skeletons. It is linear light,
+// premultiplied.
 uniform vec4 flatColor;
 uniform bool encodesItself;
 out vec4 out_color;

@@ -1,11 +1,11 @@
-// The mean of a pixel's samples, over the backdrop where they leave it open. They are fetched as light and given as light,
-// whatever the bytes between are.
+// The mean of a pixel's samples, laid over the backdrop. Samples are read and written as linear light; the
+// textures convert from and to sRGB.
 uniform sampler2DMS samples;
-uniform ivec4 drawn;  // first and last column and row; outside nothing was drawn, so that any pixel beside it will do
+uniform ivec4 drawn;  // first and last column and row; nothing was drawn outside, so the nearest pixel inside stands for those outside
 out vec4 out_color;
 
 void main() {
-    ivec2 pixel = clamp(ivec2(gl_FragCoord.xy), drawn.xy, drawn.zw);  // one that the processor's cache has
+    ivec2 pixel = clamp(ivec2(gl_FragCoord.xy), drawn.xy, drawn.zw);  // outside of `drawn` always the same ones, which are in the cache
     vec4 sum = vec4(0.0);
     for (int i = 0; i < SAMPLES; ++i) sum += texelFetch(samples, pixel, i);
     out_color = sum / float(SAMPLES);

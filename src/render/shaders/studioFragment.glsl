@@ -10,7 +10,7 @@ const vec3 RIM = vec3(0.18, 0.19, 0.20);
 const vec3 SKY = vec3(0.20, 0.21, 0.23);
 const vec3 GROUND = vec3(0.11, 0.10, 0.09);
 
-// Light that reaches a little round the edge, as from a large lamp.
+// Light that reaches a little beyond the edge, as from a large lamp.
 float soft(vec3 normal, vec3 light) { return max((dot(normal, light) + 0.25) / 1.25, 0.0); }
 
 vec3 baseColor() {
@@ -41,7 +41,7 @@ void main() {
 
     vec3 light = KEY * soft(normal, keyDirection) + FILL * soft(normal, fillDirection) +
                  RIM * max(dot(normal, rimDirection), 0.0) + mix(GROUND, SKY, normal.y * 0.5 + 0.5);
-    // A faint sheen, more at grazing angles, tells round from flat.
+    // A faint sheen, stronger at grazing angles, makes round shapes look round.
     vec3 halfway = normalize(keyDirection + view);
     float grazing = pow(1.0 - max(dot(normal, view), 0.0), 4.0);
     float alignment = max(dot(normal, halfway), 0.0);

@@ -1,4 +1,4 @@
-// What both kinds of light need to know of a fragment: its material, which way it faces, and how to give a colour.
+// What both kinds of light need: the fragment's material, its normal, and functions that output a colour.
 // TEXTURED has a bit for each slot of the material that has a picture somewhere in the model.
 in vec3 modelPosition;
 in vec3 modelNormal;
@@ -18,7 +18,7 @@ in vec2 textureCoords;
 
 const int EMISSION = 0, AMBIENT = 1, DIFFUSE = 2, SPECULAR = 3, REFLECTIVE = 4, TRANSPARENT = 5, BUMPMAP = 6;
 
-uniform vec4 slotColors[7];  // as in the file; the studio has diffuse and emission as light
+uniform vec4 slotColors[7];  // as in the file; with studio light, diffuse and emission are linear light
 #if TEXTURED != 0
 uniform sampler2D slotTextures[7];
 #endif
@@ -41,8 +41,7 @@ vec3 decoded(vec3 c) {
     return mix(c / 12.92, pow((max(c, vec3(0.0)) + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
-// A slot's value: its colour, times its picture where it has one. Pictures arrive as light, and go back to the file's
-// numbers here.
+// A slot's picture in the file's own numbers. Textures return linear light, which is converted back here.
 #define PICTURE(slot) fileColor(texture(slotTextures[slot], COORDS(slot)))
 vec4 fileColor(vec4 light) { return vec4(encoded(light.rgb), light.a); }
 
@@ -69,8 +68,8 @@ float opacity() { return 1.0; }
 
 vec3 towardsEye() { return normalize(eye.w > 0.5 ? eye.xyz - modelPosition : eye.xyz); }
 
-// Which way the face looks, judged by the triangle itself: 1 when its normals point to our side, -1 when we see its
-// back. This holds whatever mirrors the model or winds its triangles the wrong way.
+// 1 if the triangle's normals point to the camera's side, -1 if the camera sees its back. Computed from the
+// triangle itself, so that it is right for mirrored models and for triangles of either winding.
 float seenSide(vec3 normal, vec3 view) {
     vec3 face = cross(dFdx(modelPosition), dFdy(modelPosition));
     float facing = dot(face, normal) * dot(face, view);
@@ -90,7 +89,7 @@ vec3 bumpedNormal(vec3 normal) {
 }
 #endif
 
-// The unit normal on our side; lines have none and are lit as if they faced us.
+// The unit normal on the camera's side. Lines have no normal, and are lit as if they faced the camera.
 vec3 facingNormal(vec3 view, out float side) {
     side = 1.0;
     float size = length(modelNormal);
@@ -103,7 +102,7 @@ vec3 facingNormal(vec3 view, out float side) {
     return normal * side;
 }
 
-// Throws away what another pass draws.
+// Discards fragments that another pass draws.
 void keepForPass(float alpha, float side) {
 #ifdef SEE_THROUGH
     bool solid = alpha > 0.996;
@@ -113,7 +112,7 @@ void keepForPass(float alpha, float side) {
 #endif
 }
 
-// Colours leave premultiplied with their alpha: as linear light, or encoded where the target does not do that.
+// Output colours are premultiplied by alpha, and are linear light, or sRGB if the target does not convert.
 #ifdef ENCODES_ITSELF
 void giveLight(vec3 light, float alpha) { out_color = vec4(encoded(light) * alpha, alpha); }
 void giveEncoded(vec3 color, float alpha) { out_color = vec4(clamp(color, 0.0, 1.0) * alpha, alpha); }
