@@ -3,6 +3,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "animation/RowMajor.h"
+
 namespace walkcycle {
 
 // An affine matrix as its first three rows; the fourth is always 0 0 0 1. What palettes are made of where there are many:
@@ -12,11 +14,9 @@ struct alignas(16) JointRows {
 
     JointRows() = default;
     explicit JointRows(const glm::mat4& m) {
-        for (int i = 0; i < 3; ++i) rows[i] = {m[0][i], m[1][i], m[2][i], m[3][i]};
+        for (int i = 0; i < 3; ++i) rows[i] = rowOf(m, i);
     }
-    glm::mat4 toMatrix() const {
-        return glm::transpose(glm::mat4(rows[0], rows[1], rows[2], {0.0f, 0.0f, 0.0f, 1.0f}));
-    }
+    glm::mat4 toMatrix() const { return affineFromRows<float>(&rows[0].x); }
 };
 
 }  // namespace walkcycle

@@ -22,4 +22,10 @@ auto skinPlacement(const Placed& skin, ModelTransform modelTransform) {
     return modelTransform(skin.placedBy) * glm::inverse(meetingPoint);
 }
 
+// Where a matrix has no inverse, because it scales to nothing, there is nothing to see: any matrix will do.
+template <typename Matrix>
+Matrix inverseOrIdentity(const Matrix& matrix) {
+    return std::isnormal(glm::determinant(matrix)) ? glm::inverse(matrix) : Matrix(1);
+}
+
 }  // namespace walkcycle

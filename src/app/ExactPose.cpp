@@ -1,19 +1,14 @@
 #include "app/ExactPose.h"
 
-#include <cmath>
 #include <span>
 
-#include <glm/matrix.hpp>
+#include "animation/SkinPlacement.h"
 
 namespace walkcycle {
 namespace {
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-glm::dmat4 inverseOrIdentity(const glm::dmat4& matrix) {
-    return std::isnormal(glm::determinant(matrix)) ? glm::inverse(matrix) : glm::dmat4(1.0);
 }
 
 std::vector<glm::dmat4> worlds(const Skeleton& skeleton, std::span<const glm::dmat4> locals) {
@@ -71,13 +66,8 @@ void Deformation::morph(const MorphTargets& morph) {
 
 std::vector<glm::dmat4> Deformation::palette(const Skin& skin) const {
     glm::dmat4 placement(1.0);
-    if (skin.placedBy != kNoParent) {
-        const bool atRoot = skin.placedRelativeTo == kNoParent;
-        const glm::dmat4 meetingPoint =
-            atRoot ? glm::dmat4(skin.placedInRoot) : joints[at(skin.placedRelativeTo)];
-        if (std::isnormal(glm::determinant(meetingPoint)))
-            placement = joints[at(skin.placedBy)] * glm::inverse(meetingPoint);
-    }
+    if (skin.placedBy != kNoParent)
+        placement = skinPlacement(skin, [&](int joint) { return joints[at(joint)]; });
     std::vector<glm::dmat4> matrices(skin.joints.size());
     for (std::size_t i = 0; i < matrices.size(); ++i) {
         const bool own = i + 1 == matrices.size();  // the skin's node itself, which needs no placing

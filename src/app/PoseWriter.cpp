@@ -1,5 +1,6 @@
 #include "app/PoseWriter.h"
 
+#include "animation/RowMajor.h"
 #include "app/JointKeys.h"
 #include "app/JsonText.h"
 
@@ -26,9 +27,8 @@ void member(JsonText& json, std::string_view name, std::string_view value) {
 
 template <typename Number>
 void rowMajor(JsonText& json, const glm::mat<4, 4, Number>& matrix) {
-    list(json, 16, [&](std::size_t i) {
-        json.number(matrix[static_cast<glm::length_t>(i % 4)][static_cast<glm::length_t>(i / 4)]);
-    });
+    const auto rows = rowsOf(matrix);
+    list(json, rows.size(), [&](std::size_t i) { json.number(rows[i]); });
 }
 
 // The positions that a surface uses; what only lines use, or nothing, is not part of the deformed model.

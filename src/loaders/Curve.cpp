@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "animation/RowMajor.h"
+
 namespace walkcycle {
 
 namespace {
@@ -16,13 +18,6 @@ double cubic(double a, double b, double c, double d, double s) {
 double cubicSlope(double a, double b, double c, double d, double s) {
     const double r = 1.0 - s;
     return 3.0 * (r * r * (b - a) + 2.0 * r * s * (c - b) + s * s * (d - c));
-}
-
-// Row by row, as a <matrix> of the file holds it.
-void writeRows(const glm::dmat4& matrix, std::span<double> out) {
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            out[static_cast<std::size_t>(row * 4 + column)] = matrix[column][row];
 }
 
 }  // namespace
@@ -105,7 +100,8 @@ void Curve::evaluateInside(double seconds, Side side, std::span<double> out, std
     } else if (segments[k].kind == Kind::Bezier) {
         for (std::size_t c = 0; c < width; ++c) out[c] = bezier(k, c, seconds);
     } else if (!parts.empty()) {
-        writeRows(blend(parts[k], parts[k + 1], progression).toMatrix(), out);
+        const auto rows = rowsOf(blend(parts[k], parts[k + 1], progression).toMatrix());
+        std::copy(rows.begin(), rows.end(), out.begin());
     } else {
         for (std::size_t c = 0; c < width; ++c) out[c] = a[c] + (a[c + width] - a[c]) * progression;
     }

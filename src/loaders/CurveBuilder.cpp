@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "animation/RowMajor.h"
+
 namespace walkcycle {
 
 namespace {
@@ -86,10 +88,6 @@ bool isPlain(Interpolation interpolation) {
     return interpolation == Interpolation::Linear || interpolation == Interpolation::Step;
 }
 
-glm::dmat4 matrixFromRows(const double* v) {
-    return {v[0], v[4], v[8], 0.0, v[1], v[5], v[9], 0.0, v[2], v[6], v[10], 0.0, v[3], v[7], v[11], 1.0};
-}
-
 // Keys that are flattened to nothing do not turn: they take the rotation of the key before them, or of the first
 // one that has a rotation.
 void splitMatrices(Curve& curve) {
@@ -100,7 +98,7 @@ void splitMatrices(Curve& curve) {
         glm::dquat previous = near;
         bool found = false;
         for (std::size_t i = 0; i < curve.times.size(); ++i) {
-            curve.parts.push_back(partsOf(matrixFromRows(&curve.values[i * 16]), previous));
+            curve.parts.push_back(partsOf(affineFromRows<double>(&curve.values[i * 16]), previous));
             previous = curve.parts.back().rotation;
             if (curve.parts.back().turns && !found) near = previous, found = true;
         }

@@ -9,15 +9,9 @@ namespace walkcycle {
 
 namespace {
 
-CurvedTransform::Numbers numbersOf(const Placement& p) {
-    const glm::dvec3& s = p.scale;
-    const glm::dquat& q = p.rotation;
-    return {p.position.x, p.position.y, p.position.z, q.x, q.y, q.z, q.w, s.x, s.y, s.z};
-}
-
-Placement nearTo(const Placement& other, Placement placement) {
-    if (glm::dot(other.rotation, placement.rotation) < 0.0) placement.rotation = -placement.rotation;
-    return placement;
+ExactTransform nearTo(const ExactTransform& other, ExactTransform transform) {
+    if (glm::dot(other.rotation, transform.rotation) < 0.0) transform.rotation = -transform.rotation;
+    return transform;
 }
 
 double largest(const glm::dvec3& v) {
@@ -26,38 +20,27 @@ double largest(const glm::dvec3& v) {
 
 }  // namespace
 
-Placement StraightTransform::at(double progression) const {
-    return {glm::mix(a.position, b.position, progression), turn.at(progression),
+ExactTransform StraightTransform::at(double progression) const {
+    return {glm::mix(a.position, b.position, progression), rotation.at(progression),
             glm::mix(a.scale, b.scale, progression)};
 }
 
-CurvedTransform CurvedTransform::throughFour(const Placement& a, const Placement& third,
-                                             const Placement& twoThirds, const Placement& b) {
-    const Placement c = nearTo(a, third), d = nearTo(c, twoThirds);
-    CurvedTransform piece{a, nearTo(d, b)};
-    const Numbers f0 = numbersOf(a), f1 = numbersOf(c), f2 = numbersOf(d), f3 = numbersOf(piece.b);
-    for (std::size_t i = 0; i < f0.size(); ++i) {  // of the one cubic through four evenly spaced values
-        piece.leaving[i] = -5.5 * f0[i] + 9.0 * f1[i] - 4.5 * f2[i] + f3[i];
-        piece.arriving[i] = -f0[i] + 4.5 * f1[i] - 9.0 * f2[i] + 5.5 * f3[i];
-    }
+CurvedTransform CurvedTransform::throughFour(const ExactTransform& a, const ExactTransform& third,
+                                             const ExactTransform& twoThirds, const ExactTransform& b) {
+    const ExactTransform c = nearTo(a, third), d = nearTo(c, twoThirds);
+    const ExactTransform e = nearTo(d, b);
+    CurvedTransform piece{a, e, {}, {}};
+    piece.leaving = {leavingTangent(a.position, c.position, d.position, e.position),
+                     leavingTangent(a.rotation, c.rotation, d.rotation, e.rotation),
+                     leavingTangent(a.scale, c.scale, d.scale, e.scale)};
+    piece.arriving = {arrivingTangent(a.position, c.position, d.position, e.position),
+                      arrivingTangent(a.rotation, c.rotation, d.rotation, e.rotation),
+                      arrivingTangent(a.scale, c.scale, d.scale, e.scale)};
     return piece;
 }
 
-Placement CurvedTransform::at(double s) const {
-    const double s2 = s * s, s3 = s2 * s;
-    const double fromA = 2.0 * s3 - 3.0 * s2 + 1.0, fromLeaving = s3 - 2.0 * s2 + s, fromArriving = s3 - s2;
-    const Numbers start = numbersOf(a), stop = numbersOf(b);
-    Numbers n;
-    for (std::size_t i = 0; i < n.size(); ++i)
-        n[i] = fromA * start[i] + (1.0 - fromA) * stop[i] + fromLeaving * leaving[i] +
-               fromArriving * arriving[i];
-    return {{n[0], n[1], n[2]}, glm::normalize(glm::dquat(n[6], n[3], n[4], n[5])), {n[7], n[8], n[9]}};
-}
-
-double CurvedNumber::at(double s) const {
-    const double s2 = s * s, s3 = s2 * s;
-    const double fromB = 3.0 * s2 - 2.0 * s3;
-    return (1.0 - fromB) * a + fromB * b + (s3 - 2.0 * s2 + s) * leaving + (s3 - s2) * arriving;
+ExactTransform CurvedTransform::at(double progression) const {
+    return curvedTransform(a, leaving, b, arriving, Hermite(progression));
 }
 
 double shear(const MatrixParts& exact, const Tolerance& tolerance) {
@@ -68,7 +51,7 @@ double shear(const MatrixParts& exact, const Tolerance& tolerance) {
     return tolerance.unit * tolerance.reach * most;
 }
 
-double distance(const Placement& exact, const Placement& keyed, const Tolerance& tolerance) {
+double distance(const ExactTransform& exact, const ExactTransform& keyed, const Tolerance& tolerance) {
     const glm::dquat apart = exact.rotation - keyed.rotation, other = exact.rotation + keyed.rotation;
     const double turned = 2.0 * std::sqrt(std::min(glm::dot(apart, apart), glm::dot(other, other)));
     const double linear = turned * largest(exact.scale) + largest(exact.scale - keyed.scale);

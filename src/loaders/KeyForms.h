@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
-
 #include <glm/mat4x4.hpp>
 
+#include "animation/CurvedTransform.h"
+#include "animation/Interpolation.h"
 #include "loaders/MatrixParts.h"
 
 namespace walkcycle {
@@ -15,48 +15,51 @@ struct Tolerance {
     double reach = 1.0;   // how far from the joint, in its own units, the farthest point hangs that it moves
 };
 
-// Where a joint's transform puts its space, without shear.
-struct Placement {
-    glm::dvec3 position{0.0};
-    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
-    glm::dvec3 scale{1.0};
-};
-
 // The forms that the run-time has for the way between two keys. Each is made `through` a piece of the exact motion,
 // says where it is `at` a progression from 0 to 1, and how far that is from the exact value.
 
 // Positions and scales on straight lines, rotations the short way round at constant speed.
 struct StraightTransform {
     static constexpr bool kHasTangents = false;
-    using Value = Placement;
-    Placement a, b;
-    Turn turn;
+    using Value = ExactTransform;
+    ExactTransform a, b;
+    Slerp<double> rotation;
 
     template <typename Exact>
-    static StraightTransform through(const Exact&, double, double, const Placement& a, const Placement& b) {
-        return {a, b, Turn(a.rotation, b.rotation)};
+    static StraightTransform through(const Exact&, double, double, const ExactTransform& a,
+                                     const ExactTransform& b) {
+        return {a, b, Slerp(a.rotation, b.rotation)};
     }
-    Placement at(double progression) const;
+    ExactTransform at(double progression) const;
 };
 
-// Each number of position, rotation and scale on a cubic curve, the rotation brought back to unit length.
+// Of the one cubic through four evenly spaced values: its tangents at the first and at the last, per way between them.
+template <typename Value>
+Value leavingTangent(const Value& first, const Value& second, const Value& third, const Value& last) {
+    return first * -5.5 + second * 9.0 - third * 4.5 + last;
+}
+template <typename Value>
+Value arrivingTangent(const Value& first, const Value& second, const Value& third, const Value& last) {
+    return second * 4.5 - first - third * 9.0 + last * 5.5;
+}
+
+// Each number on a cubic curve (see curvedTransform).
 struct CurvedTransform {
     static constexpr bool kHasTangents = true;
-    using Value = Placement;
-    using Numbers = std::array<double, 10>;  // position, rotation (x y z w), scale
-    Placement a, b;
-    Numbers leaving{}, arriving{};  // tangents at the ends, per whole of the progression
+    using Value = ExactTransform;
+    ExactTransform a, b;
+    TransformRates<double> leaving, arriving;  // tangents at the ends, per whole of the progression
 
     template <typename Exact>
-    static CurvedTransform through(const Exact& exact, double from, double to, const Placement& a,
-                                   const Placement& b) {
+    static CurvedTransform through(const Exact& exact, double from, double to, const ExactTransform& a,
+                                   const ExactTransform& b) {
         const double third = (to - from) / 3.0;
         return throughFour(a, exact(from + third), exact(to - third), b);
     }
-    static CurvedTransform throughFour(const Placement& a, const Placement& third, const Placement& twoThirds,
-                                       const Placement& b);
-    const Placement& end() const { return b; }
-    Placement at(double progression) const;
+    static CurvedTransform throughFour(const ExactTransform& a, const ExactTransform& third,
+                                       const ExactTransform& twoThirds, const ExactTransform& b);
+    const ExactTransform& end() const { return b; }
+    ExactTransform at(double progression) const;
 };
 
 // For what no joint transform can hold: number by number.
@@ -94,14 +97,14 @@ struct CurvedNumber {
     static CurvedNumber through(const Exact& exact, double from, double to, double a, double b) {
         const double third = (to - from) / 3.0;
         const double c = exact(from + third), d = exact(to - third);
-        return {a, b, -5.5 * a + 9.0 * c - 4.5 * d + b, -a + 4.5 * c - 9.0 * d + 5.5 * b};
+        return {a, b, leavingTangent(a, c, d, b), arrivingTangent(a, c, d, b)};
     }
     double end() const { return b; }
-    double at(double progression) const;
+    double at(double progression) const { return Hermite(progression).value(a, leaving, b, arriving); }
 };
 
 // Model-space distance, never underestimated, between where two transforms put the farthest point.
-double distance(const Placement& exact, const Placement& keyed, const Tolerance& tolerance);
+double distance(const ExactTransform& exact, const ExactTransform& keyed, const Tolerance& tolerance);
 double distance(const glm::dmat4& exact, const glm::dmat4& keyed, const Tolerance& tolerance);
 double distance(double exact, double keyed, const Tolerance& tolerance);
 

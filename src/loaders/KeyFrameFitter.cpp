@@ -77,7 +77,7 @@ public:
         if (StackParts::canTell(motion)) stack_.emplace(motion);
     }
 
-    Placement at(double seconds, Side side) {
+    ExactTransform at(double seconds, Side side) {
         const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr;
         MatrixParts other;
         if (!key && (!stack_ || !stack_->at(seconds, side, other)))
@@ -126,23 +126,19 @@ private:
     bool first_ = true, wasMirrored_ = false, fits_ = true;
 };
 
-JointTransform toJointTransform(const Placement& placement) {
-    return {glm::vec3(placement.position), glm::quat(placement.rotation), glm::vec3(placement.scale)};
-}
-
-KeyTangents::Rates toRates(const CurvedTransform::Numbers& n, double seconds) {
-    const auto rate = [&](std::size_t i) { return static_cast<float>(n[i] / seconds); };
-    return {{rate(0), rate(1), rate(2)}, {rate(6), rate(3), rate(4), rate(5)}, {rate(7), rate(8), rate(9)}};
+KeyTangents::Rates toRates(const TransformRates<double>& perWay, double seconds) {
+    return {glm::vec3(perWay.position / seconds), glm::quat(perWay.rotation / seconds),
+            glm::vec3(perWay.scale / seconds)};
 }
 
 void append(Channel& channel, const RunKeys<StraightTransform>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i)
-        channel.keyFrames.push_back({keys.times[i], toJointTransform(keys.values[i]), isStep});
+        channel.keyFrames.push_back({keys.times[i], JointTransform(keys.values[i]), isStep});
 }
 
 void append(Channel& channel, const RunKeys<CurvedTransform>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i) {
-        channel.keyFrames.push_back({keys.times[i], toJointTransform(keys.values[i]), isStep});
+        channel.keyFrames.push_back({keys.times[i], JointTransform(keys.values[i]), isStep});
         KeyTangents& tangents = channel.tangents.emplace_back();
         if (i > 0) tangents.in = toRates(keys.pieces[i - 1].arriving, keys.times[i] - keys.times[i - 1]);
         if (i < keys.pieces.size())

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "animation/Interpolation.h"
+
 namespace walkcycle {
 
 namespace {
@@ -15,17 +17,6 @@ glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& axis, double smallest) 
     const glm::dvec3 rest = v - axis * glm::dot(v, axis);
     const double length = glm::length(rest);
     return length > smallest ? rest / length : glm::dvec3(0.0);
-}
-
-// Of turns whose cosine is no further from 1 than this.
-constexpr double kNarrow = 0.02;
-
-// sin(t angle) / sin(angle) as a series in the cosine less 1 (D. Eberly, "A Fast and Accurate Algorithm for Computing
-// SLERP", 2011); six terms leave less than 1e-14.
-double narrowShare(double t, double fall) {
-    double sum = 1.0;
-    for (int i = 6; i > 0; --i) sum = 1.0 + (t * t / (i * (2 * i + 1)) - i / (2.0 * i + 1.0)) * fall * sum;
-    return t * sum;
 }
 
 // Beside the longest axis, a shorter one than this is rounding.
@@ -96,29 +87,9 @@ MatrixParts partsOf(const glm::dmat4& matrix, const glm::dquat& near) {
 MatrixParts blend(const MatrixParts& a, const MatrixParts& b, double progression) {
     MatrixParts parts;
     parts.position = glm::mix(a.position, b.position, progression);
-    parts.rotation = turn(a.rotation, b.rotation, progression);
+    parts.rotation = Slerp(a.rotation, b.rotation).at(progression);
     parts.stretch = a.stretch * (1.0 - progression) + b.stretch * progression;
     return parts;
-}
-
-Turn::Turn(const glm::dquat& a, const glm::dquat& b) : a_(a), b_(b) {
-    double cosine = glm::dot(a, b);
-    if (cosine < 0.0) b_ = -b_;
-    cosine = std::min(std::abs(cosine), 1.0);
-    fall_ = cosine - 1.0;
-    if (fall_ >= -kNarrow) return;
-    angle_ = std::acos(cosine);
-    sine_ = std::sin(angle_);
-}
-
-glm::dquat Turn::at(double progression) const {
-    const double rest = 1.0 - progression;
-    if (fall_ >= -kNarrow) return a_ * narrowShare(rest, fall_) + b_ * narrowShare(progression, fall_);
-    return (a_ * std::sin(rest * angle_) + b_ * std::sin(progression * angle_)) / sine_;
-}
-
-glm::dquat turn(const glm::dquat& a, const glm::dquat& b, double progression) {
-    return Turn(a, b).at(progression);
 }
 
 }  // namespace walkcycle

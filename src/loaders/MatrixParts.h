@@ -27,18 +27,4 @@ MatrixParts partsOf(const glm::dmat4& matrix, const glm::dquat& near = {1.0, 0.0
 // short way round at constant speed.
 MatrixParts blend(const MatrixParts& a, const MatrixParts& b, double progression);
 
-// Slerp, the short way; for many progressions between the same two.
-class Turn {
-public:
-    Turn() = default;
-    Turn(const glm::dquat& a, const glm::dquat& b);
-    glm::dquat at(double progression) const;
-
-private:
-    glm::dquat a_{1.0, 0.0, 0.0, 0.0}, b_{1.0, 0.0, 0.0, 0.0};
-    double fall_ = 0.0;                // of the cosine below 1
-    double angle_ = 0.0, sine_ = 0.0;  // of a wide one
-};
-glm::dquat turn(const glm::dquat& a, const glm::dquat& b, double progression);
-
 }  // namespace walkcycle

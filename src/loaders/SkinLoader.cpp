@@ -6,22 +6,13 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "animation/RowMajor.h"
 #include "loaders/NumberParser.h"
 #include "loaders/SkinNodeQuirk.h"
 #include "loaders/WeightsReader.h"
 
 namespace walkcycle {
 namespace {
-
-// The file writes matrices row by row; glm keeps columns. The last row of an affine matrix is 0 0 0 1.
-template <typename T>
-glm::mat4 affineFromRows(const T* rows) {
-    glm::mat4 matrix(1.0f);
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            matrix[column][row] = static_cast<float>(rows[row * 4 + column]);
-    return matrix;
-}
 
 // Relative to the matrix's own size, so that small units do not look singular.
 bool isSingular(const glm::mat4& matrix) {
@@ -39,7 +30,7 @@ glm::mat4 readBindShapeMatrix(XmlNode skin, const LoadContext& context) {
                                    {"bind_shape_matrix", "16", "values", std::to_string(values.size())});
         return glm::mat4(1.0f);
     }
-    const glm::mat4 matrix = affineFromRows(values.data());
+    const glm::mat4 matrix = affineFromRows<float>(values.data());
     if (isSingular(matrix))
         context.diagnostics.report(Code::SingularBindMatrix, element, {"bind shape matrix"});
     return matrix;
@@ -56,7 +47,7 @@ void readInverseBindMatrices(const Input& input, const LoadContext& context, Ski
     }
     std::optional<std::size_t> singular;
     for (std::size_t i = 0; i < source->count(); ++i) {
-        data.inverseBindMatrices.push_back(affineFromRows((*source)[i]));
+        data.inverseBindMatrices.push_back(affineFromRows<float>((*source)[i]));
         if (!singular && isSingular(data.inverseBindMatrices.back())) singular = i;
     }
     if (singular)

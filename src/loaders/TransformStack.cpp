@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "animation/RowMajor.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/Source.h"
 
@@ -54,12 +55,6 @@ glm::dvec3 unitAxis(const double* values) {
 }
 
 namespace {
-
-// A row of the file is a row of the matrix; GLM counts columns first. What a file writes into the last row is
-// noise.
-glm::dmat4 rowMajorMatrix(const double* v) {
-    return {v[0], v[4], v[8], 0.0, v[1], v[5], v[9], 0.0, v[2], v[6], v[10], 0.0, v[3], v[7], v[11], 1.0};
-}
 
 glm::dmat4 rotation(const double* v) {
     const glm::dvec3 axis = unitAxis(v);
@@ -158,7 +153,7 @@ glm::dmat4 TransformStack::toMatrix() const {
 glm::dmat4 matrixOf(Kind kind, const double* v) {
     switch (kind) {
         case Kind::Matrix:
-            return rowMajorMatrix(v);
+            return affineFromRows<double>(v);
         case Kind::Translate:
             return glm::translate(glm::dmat4(1.0), vec3Of(v));
         case Kind::Rotate:

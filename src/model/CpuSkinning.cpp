@@ -8,6 +8,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "animation/SkinPlacement.h"
+
 namespace walkcycle {
 namespace {
 
@@ -47,10 +49,6 @@ bool isMirror(const glm::mat4& matrix) {
 glm::vec3 unit(const glm::vec3& normal) {
     const float length = glm::length(normal);
     return length > 0.0f && std::isfinite(length) ? normal / length : glm::vec3(0.0f);
-}
-
-glm::mat4 inverseOrIdentity(const glm::mat4& matrix) {
-    return std::isnormal(glm::determinant(matrix)) ? glm::inverse(matrix) : glm::mat4(1.0f);
 }
 
 void addScaled(std::vector<glm::vec3>& sums, const std::vector<glm::vec3>& deltas, float coefficient) {

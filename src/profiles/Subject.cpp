@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "animation/RowMajor.h"
 #include "loaders/NumberParser.h"
 
 namespace walkcycle {
@@ -147,12 +148,8 @@ int strideOf(XmlNode source) {
 }
 
 glm::dmat4 matrixOf(const std::vector<double>& numbers, std::size_t first) {
-    glm::dmat4 matrix(1.0);
-    if (numbers.size() < 16 || first > numbers.size() - 16) return matrix;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            matrix[column][row] = numbers[first + static_cast<std::size_t>(row * 4 + column)];
-    return matrix;
+    if (numbers.size() < 16 || first > numbers.size() - 16) return glm::dmat4(1.0);
+    return affineFromRows<double>(numbers.data() + first);
 }
 
 bool isSame(const glm::dmat4& a, const glm::dmat4& b) {
