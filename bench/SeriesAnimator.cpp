@@ -47,7 +47,7 @@ SeriesAnimator::TreeJoint SeriesAnimator::treeFrom(const Model& model, const Ski
     for (std::size_t i = 0; i + 1 < skin.joints.size(); ++i) {
         if (skin.joints[i] != joint) continue;
         made.index = static_cast<int>(i);
-        made.inverseBind = skin.inverseBindMatrices[i] * skin.bindShapeMatrix;
+        made.inverseBind = skin.bindMatrices[i];
     }
     const auto& joints = model.skeleton.joints;
     for (std::size_t i = 0; i < joints.size(); ++i)

@@ -65,7 +65,7 @@ void checkSkin(const Model& model, const MeshInstance& instance, const Deformer&
     REQUIRE(below(deformer.influences, model.influences));
     const Skin& skin = model.skins[static_cast<std::size_t>(deformer.index)];
     const Influences& all = model.influences[static_cast<std::size_t>(deformer.influences)];
-    REQUIRE(skin.joints.size() == skin.inverseBindMatrices.size());
+    REQUIRE(skin.joints.size() == skin.bindMatrices.size());
     for (const int joint : skin.joints) REQUIRE(below(joint, model.skeleton.joints));
     REQUIRE(all.first.size() == model.meshes[static_cast<std::size_t>(instance.mesh)].positions.size() + 1);
     REQUIRE(std::is_sorted(all.first.begin(), all.first.end()) && all.first.front() == 0 &&

@@ -78,8 +78,8 @@ FastPoser::FastPoser(const Skeleton& skeleton, const Animation& animation, const
         tables->rest.push_back(toRows(skeleton.joints[i].localBindTransform));
     }
     for (std::size_t i = 0; i < skin.joints.size(); ++i)
-        tables->palette.push_back({static_cast<std::size_t>(slotOf(skin.joints[i])),
-                                   toRows(skin.inverseBindMatrices[i] * skin.bindShapeMatrix)});
+        tables->palette.push_back(
+            {static_cast<std::size_t>(slotOf(skin.joints[i])), toRows(skin.bindMatrices[i])});
     tables->root = toRows(skeleton.rootTransform);
     tables->placedBy = slotOf(skin.placedBy);
     tables->placedRelativeTo = slotOf(skin.placedRelativeTo);

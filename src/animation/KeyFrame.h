@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "animation/JointTransform.h"
 
 namespace walkcycle {
@@ -8,21 +10,27 @@ namespace walkcycle {
 struct KeyFrame {
     double seconds = 0.0;
     JointTransform transform{};
-    bool step = false;  // holds until the next key, instead of blending into it
+    bool step = false;  // holds until the next key frame, instead of blending into it
 };
 
-// For what no JointTransform can hold: animated shear, mirroring, zero scale. Blended number by number.
-struct MatrixKeyFrame {
-    double seconds = 0.0;
-    glm::mat4 matrix{1.0f};
-    bool step = false;
+// The two key frames around a time; the same one twice while it holds. `Key` is a KeyFrame or another kind of key
+// frame (MatrixKeys.h, ParameterTrack.h): all share the search.
+template <class Key>
+struct PreviousAndNext {
+    const Key& previous;
+    const Key& next;
 };
 
-// A single number that moves: a morph weight, a light's intensity, a colour's red.
-struct ParameterKeyFrame {
-    double seconds = 0.0;
-    float value = 0.0f;
-    bool step = false;
-};
+// The steps of Animator::calculateCurrentAnimationPose, in Animator.cpp.
+
+// `keyFrames` are in rising time and not empty. Before the first key frame the first holds, after the last the last.
+// Of two at one time (a jump), the second counts from that time on.
+template <class Key>
+PreviousAndNext<Key> getPreviousAndNextFrames(const std::vector<Key>& keyFrames, double seconds);
+
+// How far a time is on the way from one time to another, 0 to 1; 0 if both are the same.
+float calculateProgression(double previousSeconds, double nextSeconds, double seconds);
+
+JointTransform interpolatePoses(const KeyFrame& previous, const KeyFrame& next, float progression);
 
 }  // namespace walkcycle

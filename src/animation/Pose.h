@@ -24,9 +24,4 @@ private:
     std::vector<glm::mat4> matrices_;
 };
 
-// Each joint's transform from its own space to the model's (parents come first, so each joint finds its
-// parent's transform already done). `transforms` is resized to the skeleton's joint count; its memory is
-// reused.
-void modelTransforms(const Skeleton& skeleton, const Pose& pose, std::vector<glm::mat4>& transforms);
-
 }  // namespace walkcycle

@@ -1,20 +1,23 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 
 #include "animation/Joint.h"
+#include "animation/JointRows.h"
 
 namespace walkcycle {
 
 // What binds a mesh to a skeleton: entry i of a vertex's joint ids means joint joints[i].
-// The last entry is the skin's own node with an identity inverse bind matrix: vertices without influence, and
+// The last entry is the skin's own node, with an identity inverse bind matrix: vertices without influence, and
 // joint index -1 of the file, follow it.
 struct Skin {
-    std::vector<int> joints;                     // indices into Skeleton::joints
-    std::vector<glm::mat4> inverseBindMatrices;  // model space at bind time -> joint space
-    glm::mat4 bindShapeMatrix{1.0f};             // mesh space -> model space at bind time
+    std::vector<int> joints;  // indices into Skeleton::joints
+    // inverseBindMatrix * bindShapeMatrix, per joint, multiplied once when the skin is loaded: from the mesh's space
+    // to the model's at bind time, and from there to the joint's.
+    std::vector<glm::mat4> bindMatrices;
 
     // Some exporters (Maya's ColladaMaya, Softimage) want the node's transform, relative to
     // `placedRelativeTo`, on top of the joints': the nearest common ancestor of the node and the joints.
@@ -26,11 +29,15 @@ struct Skin {
     glm::mat4 placedInRoot{1.0f};
 };
 
-// palette[i] = modelTransform[skin.joints[i]] * inverseBindMatrix[i] * bindShapeMatrix: mesh space -> model
-// space. Where the node places the skin, all but the last entry (which hangs on the node already) have
-// modelTransform[placedBy] * inverse(modelTransform[placedRelativeTo]) before them.
+// palette[i] = modelTransform[skin.joints[i]] * bindMatrix[i]: mesh space -> model space. If the node places the
+// skin, every entry but the last (which follows the node already) is multiplied from the left by
+// modelTransform[placedBy] * inverse(modelTransform[placedRelativeTo]).
 // `palette` is resized to the skin's joint count; its memory is reused.
 void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
                     std::vector<glm::mat4>& palette);
+
+// The same as rows, into memory of the caller's: one entry per joint of the skin.
+void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
+                    std::span<JointRows> palette);
 
 }  // namespace walkcycle

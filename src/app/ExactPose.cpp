@@ -74,7 +74,7 @@ std::vector<glm::dmat4> Deformation::palette(const Skin& skin) const {
     for (std::size_t i = 0; i < matrices.size(); ++i) {
         const bool own = i + 1 == matrices.size();  // the skin's own node, which is in place already
         matrices[i] = (own ? glm::dmat4(1.0) : placement) * joints[at(skin.joints[i])] *
-                      glm::dmat4(skin.inverseBindMatrices[i]) * glm::dmat4(skin.bindShapeMatrix);
+                      glm::dmat4(skin.bindMatrices[i]);
     }
     return matrices;
 }

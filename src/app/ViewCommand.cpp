@@ -1,4 +1,6 @@
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "app/BorrowedClips.h"
 #include "app/BuiltInModel.h"
@@ -18,10 +20,19 @@ struct ViewOptions {
     LoadArguments load;
     std::string file, loop = "loop", clip;
     std::vector<std::string> animationFiles;
-    double time = 0.0, speed = 1.0;
-    bool watch = false, hasTime = false;
+    std::optional<double> time;
+    double speed = 1.0;
+    bool watch = false;
     RenderOptions look;
 };
+
+double parseSpeed(const std::string& text) {
+    const double speed = parseNumber(text, "--speed");
+    const double size = std::abs(speed);
+    if (size != 0.0 && (size < Animator::kSlowest || size > Animator::kFastest))
+        throw UsageError("--speed: '" + text + "' is not between 1/128 and 128, or the same below zero");
+    return speed;
+}
 
 void declare(ViewOptions& options, Arguments& arguments) {
     arguments.positional("FILE", "The document; without one, the built-in character", options.file,
@@ -32,12 +43,9 @@ void declare(ViewOptions& options, Arguments& arguments) {
     arguments.option(
         "--time,-t", "S",
         "Where to begin, in seconds on the document's timeline; with --clip, from the clip's start",
-        [&options](const std::string& text) {
-            options.time = parseNumber(text, "--time");
-            options.hasTime = true;
-        });
-    arguments.option("--speed", "X", "Speed of playing; below zero, backwards (1)",
-                     [&options](const std::string& text) { options.speed = parseNumber(text, "--speed"); });
+        [&options](const std::string& text) { options.time = parseNumber(text, "--time"); });
+    arguments.option("--speed", "X", "Speed of playing, 1/128 to 128; below zero, backwards (1)",
+                     [&options](const std::string& text) { options.speed = parseSpeed(text); });
     arguments.choice("--loop", {"once", "loop", "pingpong"},
                      "At the clip's end: stop, start again, or play backwards (loop)", options.loop);
     arguments.flag("--watch", "Load the file again when it changes", options.watch);
@@ -67,16 +75,14 @@ int run(const ViewOptions& options) {
     settings.clip = options.clip;
     settings.look = options.look;
     settings.watch = options.watch;
-    settings.playback.speed = options.speed;
-    settings.playback.mode = options.loop == "once"       ? LoopMode::Once
-                             : options.loop == "pingpong" ? LoopMode::PingPong
-                                                          : LoopMode::Loop;
+    settings.startTime = options.time;
+    settings.speed = options.speed;
+    settings.loopMode = options.loop == "once"       ? LoopMode::Once
+                        : options.loop == "pingpong" ? LoopMode::PingPong
+                                                     : LoopMode::Loop;
     settings.load = [&options](const std::string& file) { return loadWithClips(options, file); };
     Model first = loadWithClips(options, settings.file);
-    const Animation* clip = findClip(first, options.clip);
-    // Without --time, a clip begins at its own start, wherever that is on the timeline.
-    settings.startTime =
-        options.hasTime || !clip ? options.time : clip->startSeconds - documentTime(0.0, clip, options.clip);
+    findClip(first, options.clip);  // a wrong name is reported before the window opens
     try {
         Viewer viewer(std::move(settings), std::move(first));
         viewer.run();

@@ -14,7 +14,8 @@ namespace walkcycle {
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
-constexpr double kSpeedStep = 1.25;
+constexpr double kSpeedStep = 1.2599210498948732;  // the cube root of 2: three steps are twice as fast
+constexpr double kStepSeconds = 1.0 / 30.0;
 constexpr double kSecondsPerFrame = 1.0 / 60.0;
 constexpr double kLongestFrame = 0.25;  // after a pause of the system, go on rather than jump
 
@@ -27,21 +28,22 @@ std::string baseName(const std::string& file) {
 const char* viewerHelp() {
     return "left drag: orbit    right drag or shift + left drag: pan    wheel: zoom    Enter: the first view "
            "again\n"
-           "Space: pause    , and .: a step back or on    - and =: slower or faster    Home: the clip's "
-           "start\n"
-           "Tab: next clip    Shift+A: skeleton    E: wireframe    G: ground    H: this help    Q or Escape: "
-           "quit\n";
+           "Space: pause    , and .: a step back or on    Home: the clip's start    Tab: next clip\n"
+           "- and =: slower or faster    Backspace: the clip's own speed\n"
+           "Shift+A: skeleton    E: wireframe    G: ground    H: this help    Q or Escape: quit\n";
 }
 
 Viewer::Viewer(ViewerSettings settings, Model first)
     : settings_(std::move(settings)),
       window_("Walkcycle", kWidth, kHeight),
       model_(std::make_unique<AnimatedModel>(std::move(first))),
-      playback_(settings_.playback),
       watch_(settings_.file) {
+    model_->setSpeed(settings_.speed);
+    model_->setLoopMode(settings_.loopMode);
     if (const Animation* named = findClip(model_->model(), settings_.clip)) {
-        const double start = documentTime(settings_.startTime, named, settings_.clip);
-        playClip(static_cast<std::size_t>(named - model_->animations().data()), start - named->startSeconds);
+        playClip(static_cast<std::size_t>(named - model_->animations().data()));
+        if (const auto& seconds = settings_.startTime)
+            model_->setTime(documentTime(*seconds, named, settings_.clip) - named->startSeconds);
     }
     camera_.frame(model_->bounds(), aspect());
     listen();
@@ -56,31 +58,57 @@ const Animation* Viewer::clip() const {
     return clip_ < model_->animations().size() ? &model_->animations()[clip_] : nullptr;
 }
 
-void Viewer::playClip(std::size_t number, double seconds) {
+bool Viewer::isMoving() const {
+    const Animator& animator = model_->animator();
+    return clip() && !paused_ && animator.speed() != 0.0 && !animator.atEnd();
+}
+
+void Viewer::playClip(std::size_t number) {
     clip_ = number;
     if (clip()) model_->doAnimation(*clip());
-    playback_.start(clip() ? clip()->lengthInSeconds() : 0.0, seconds);
     camera_.keep(model_->bounds());
     changed_ = true;
 }
 
-// The new file in the old place: same view, same clip, same moment. A file that does not load leaves all as it is.
-void Viewer::reload() {
+// The new model in the old one's place: same view, same speed, and the clip of the same name from its start.
+bool Viewer::load(const std::string& file) {
     const std::string clipName = clip() ? clip()->name : "";
+    const double speed = model_->animator().speed();
+    const LoopMode loopMode = model_->animator().loopMode();
     try {
-        model_ = std::make_unique<AnimatedModel>(settings_.load(settings_.file));
+        model_ = std::make_unique<AnimatedModel>(settings_.load(file));
     } catch (const LoadError&) {  // said already
-        return printNote("kept the model as it was");
+        printNote("kept the model as it was");
+        return false;
     } catch (const StrictFailure&) {
-        return printNote("kept the model as it was");
+        printNote("kept the model as it was");
+        return false;
     } catch (const std::exception& error) {
-        return printError("kept the model as it was: " + std::string(error.what()));
+        printError("kept the model as it was: " + std::string(error.what()));
+        return false;
     }
+    model_->setSpeed(speed);
+    model_->setLoopMode(loopMode);
     std::size_t number = 0;
     for (std::size_t i = 0; i < model_->animations().size(); ++i)
         if (model_->animations()[i].name == clipName) number = i;
-    playClip(number, playback_.time());
+    playClip(number);
+    return true;
+}
+
+void Viewer::reload() {
+    const double moment = model_->animator().time();
+    if (!load(settings_.file)) return;
+    model_->setTime(moment);
     printNote("loaded " + settings_.file + " again");
+}
+
+void Viewer::open(const std::string& file) {
+    if (!load(file)) return;
+    settings_.file = file;
+    watch_ = FileWatch(file);
+    camera_.frame(model_->bounds(), aspect());
+    printNote("loaded " + file);
 }
 
 void Viewer::listen() {
@@ -96,12 +124,7 @@ void Viewer::listen() {
         changed_ = true;
     };
     window_.onResize = [this](Window::Size) { draw(); };
-    window_.onDrop = [this](const std::vector<std::string>& paths) {
-        settings_.file = paths.front();
-        watch_ = FileWatch(settings_.file);
-        reload();
-        camera_.frame(model_->bounds(), aspect());
-    };
+    window_.onDrop = [this](const std::vector<std::string>& paths) { open(paths.front()); };
 }
 
 void Viewer::drag(double x, double y) {
@@ -130,28 +153,32 @@ bool Viewer::playbackKey(int pressed, int modifiers) {
     const std::size_t count = std::max<std::size_t>(1, model_->animations().size());
     switch (pressed) {
         case KeySpace:
-            if (playback_.atEnd())
-                playClip(clip_, 0.0);
-            else
-                playback_.paused = !playback_.paused;
+            if (model_->animator().atEnd()) {
+                playClip(clip_);
+                paused_ = false;
+            } else {
+                paused_ = !paused_;
+            }
             return true;
         case KeyComma:
-            playback_.step(-1);
-            return true;
         case KeyPeriod:
-            playback_.step(+1);
+            paused_ = true;
+            model_->step(pressed == KeyComma ? -kStepSeconds : kStepSeconds);
             return true;
         case KeyMinus:
-            playback_.speed /= kSpeedStep;
+            model_->setSpeed(model_->animator().speed() / kSpeedStep);
             return true;
         case KeyEqual:
-            playback_.speed *= kSpeedStep;
+            model_->setSpeed(model_->animator().speed() * kSpeedStep);
+            return true;
+        case KeyBackspace:
+            model_->setSpeed(1.0);
             return true;
         case KeyHome:
-            playClip(clip_, 0.0);
+            model_->setTime(0.0);
             return true;
         case KeyTab:
-            playClip((clip_ + ((modifiers & ModShift) ? count - 1 : 1)) % count, 0.0);
+            playClip((clip_ + ((modifiers & ModShift) ? count - 1 : 1)) % count);
             return true;
         default:
             return false;
@@ -171,7 +198,6 @@ bool Viewer::lookKey(int pressed, int modifiers) {
 void Viewer::draw() {
     const Window::Size size = window_.framebufferSize();
     if (size.width <= 0 || size.height <= 0) return;  // minimised
-    if (clip()) model_->sampleAt(clip()->startSeconds + playback_.time());
     renderer_.render(*model_, camera_.camera(aspect()), RenderTarget{0, size.width, size.height},
                      settings_.look);
     window_.swapBuffers();
@@ -180,11 +206,12 @@ void Viewer::draw() {
 
 void Viewer::updateTitle() {
     std::string title = baseName(settings_.file);
+    const Animator& animator = model_->animator();
     if (clip())
-        title += " - " + clip()->name + " - " + formatFixed(playback_.time(), 2) + " / " +
+        title += " - " + clip()->name + " - " + formatFixed(animator.time(), 2) + " / " +
                  formatFixed(clip()->lengthInSeconds(), 2) + " s";
-    if (playback_.paused) title += " - paused";
-    if (std::abs(playback_.speed - 1.0) > 1e-9) title += " - x" + formatFixed(playback_.speed, 2);
+    if (paused_) title += " - paused";
+    if (std::abs(animator.speed() - 1.0) > 1e-9) title += " - x" + formatFixed(animator.speed(), 2);
     if (title != title_) window_.setTitle(title);
     title_ = std::move(title);
 }
@@ -193,8 +220,8 @@ void Viewer::run() {
     double last = window_.time();
     while (!window_.shouldClose()) {
         const double now = window_.time();
-        const bool moving = clip() && !playback_.paused && !playback_.atEnd();
-        playback_.advance(std::min(now - last, kLongestFrame));
+        const bool moving = isMoving();
+        if (moving) model_->update(std::min(now - last, kLongestFrame));
         last = now;
         if (settings_.watch && watch_.changed(now)) reload();
         if (moving || changed_) draw();
@@ -202,12 +229,14 @@ void Viewer::run() {
         // Where the driver does not wait for the screen, this does: no faster than 60 pictures a second, and
         // nothing at all while nothing moves.
         const double left = kSecondsPerFrame - (window_.time() - now);
-        if (!moving)
+        if (!moving) {
             window_.waitEvents(settings_.watch ? 0.2 : 1.0);
-        else if (left > 0.001)
+            last = window_.time();  // the time of standing still does not count
+        } else if (left > 0.001) {
             window_.waitEvents(left);
-        else
+        } else {
             window_.pollEvents();
+        }
     }
 }
 

@@ -2,12 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/FileWatch.h"
 #include "app/OrbitCamera.h"
-#include "app/Playback.h"
 #include "platform/Window.h"
 #include "render/AnimatedModel.h"
 #include "render/AnimatedModelRenderer.h"
@@ -16,9 +16,10 @@ namespace walkcycle {
 
 struct ViewerSettings {
     std::string file;
-    std::string clip;        // --clip as given
-    double startTime = 0.0;  // as --time: of the document's timeline, of the clip where one was named
-    Playback playback;
+    std::string clip;                 // --clip as given
+    std::optional<double> startTime;  // --time: of the document's timeline, of the clip where one was named
+    double speed = 1.0;
+    LoopMode loopMode = LoopMode::Loop;
     RenderOptions look;
     bool watch = false;
     std::function<Model(const std::string& file)> load;  // says itself what is wrong; throws
@@ -38,11 +39,14 @@ private:
     bool lookKey(int pressed, int modifiers);
     void drag(double x, double y);
 
-    void playClip(std::size_t number, double seconds);
+    void playClip(std::size_t number);
+    bool load(const std::string& file);  // false: the model stays as it was
     void reload();
+    void open(const std::string& file);
     void draw();
     void updateTitle();
     const Animation* clip() const;  // null where nothing moves
+    bool isMoving() const;
     float aspect() const;
 
     ViewerSettings settings_;
@@ -50,9 +54,9 @@ private:
     AnimatedModelRenderer renderer_;
     std::unique_ptr<AnimatedModel> model_;
     OrbitCamera camera_;
-    Playback& playback_;
     FileWatch watch_;
     std::size_t clip_ = 0;
+    bool paused_ = false;
     double mouseX_ = 0.0, mouseY_ = 0.0;
     enum class Drag { None, Orbit, Pan } drag_ = Drag::None;
     bool changed_ = true;  // the picture is not what the window shows

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "animation/Animator.h"
+
 namespace walkcycle {
 
 namespace {
@@ -80,9 +82,7 @@ void MotionReach::addSkinned(const Model& model, const MeshInstance& instance, c
     const Skin& skin = model.skins[static_cast<std::size_t>(deformer.index)];
     const Influences& all = model.influences[static_cast<std::size_t>(deformer.influences)];
     const auto& positions = model.meshes[static_cast<std::size_t>(instance.mesh)].positions;
-    std::vector<glm::dmat4> bind;
-    for (const glm::mat4& inverseBind : skin.inverseBindMatrices)
-        bind.push_back(glm::dmat4(inverseBind) * glm::dmat4(skin.bindShapeMatrix));
+    const std::vector<glm::dmat4> bind(skin.bindMatrices.begin(), skin.bindMatrices.end());
     for (std::size_t p = 0; p < positions.size() && p + 1 < all.first.size();
          p += strideOf(positions.size())) {
         glm::dvec3 posed(0.0);
@@ -156,19 +156,16 @@ double MotionReach::measure(const Model& model, const Motion& motion, const Anim
     const auto moments = std::clamp<std::size_t>(20'000 / (joints.size() + 1), 12, 64);
     std::vector<glm::dmat4> exact(joints.size()), keyed(joints.size());
     std::vector<double> exactParameters(model.parameters.size());
-    std::vector<float> keyedParameters = model.restParameters();
-    Pose pose(model.skeleton);
     double farthest = 0.0;  // squared
     for (std::size_t m = 0; m < moments; ++m) {
         const double share = std::fmod((static_cast<double>(m) + 0.5) * 0.6180339887498949, 1.0);
         const double seconds = animation.startSeconds + share * animation.lengthInSeconds();
         motion.evaluate(seconds, exact, exactParameters);
-        sample(animation, seconds, pose, keyedParameters);
         for (std::size_t i = 0; i < joints.size(); ++i) keyed[i] = exact[i];
-        for (const Channel& channel : animation.channels) {
-            const auto joint = static_cast<std::size_t>(channel.joint);
-            keyed[joint] = pose.localTransform(joint);
-        }
+        for (const Channel& channel : animation.channels)
+            keyed[static_cast<std::size_t>(channel.joint)] =
+                channel.keyFrames.empty() ? sampleMatrix(channel.matrixKeyFrames, seconds)
+                                          : sample(channel, seconds).toMatrix();
         chain(joints, exact);
         chain(joints, keyed);
         for (std::size_t i = 0; i < joints.size(); ++i) {

@@ -135,7 +135,6 @@ bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& contex
 Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints,
               SceneGraph& scene, const LoadContext& context, const Asset& asset) {
     Skin skin;
-    skin.bindShapeMatrix = data.bindShapeMatrix;
     const std::vector<int> roots = joints.skeletonRoots(instance.element);
     int shared = instance.node, missing = 0;
     for (std::size_t i = 0; i < data.jointNames.size(); ++i) {
@@ -153,10 +152,11 @@ Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointF
         glm::mat4 inverseBind(1.0f);
         if (found && i < data.inverseBindMatrices.size()) inverseBind = data.inverseBindMatrices[i];
         if (found && data.inverseBindMatrices.empty()) inverseBind = restInverseBind(scene, joint);
-        skin.inverseBindMatrices.push_back(inverseBind);
+        // Far from the origin both are large and all but cancel out: in double nothing is lost.
+        skin.bindMatrices.emplace_back(glm::dmat4(inverseBind) * glm::dmat4(data.bindShapeMatrix));
     }
     skin.joints.push_back(instance.node);
-    skin.inverseBindMatrices.emplace_back(1.0f);
+    skin.bindMatrices.push_back(data.bindShapeMatrix);
     if (nodePlacesSkin(asset.authoringTool, context.options.skinNode) && shared != instance.node)
         placeByNode(instance, shared, asset, context, skin);
     return skin;

@@ -28,6 +28,11 @@ void AnimatedModel::setTime(double seconds) {
     scene_.apply(*model_, animator_.parameters());
 }
 
+void AnimatedModel::step(double seconds) {
+    animator_.step(seconds);
+    scene_.apply(*model_, animator_.parameters());
+}
+
 void AnimatedModel::sampleAt(double documentSeconds) {
     animator_.sampleAt(documentSeconds);
     scene_.apply(*model_, animator_.parameters());

@@ -24,11 +24,16 @@ public:
     explicit AnimatedModel(std::shared_ptr<const Model> model);
 
     const std::vector<Animation>& animations() const { return model_->animations; }
-    void doAnimation(
-        const Animation& animation);  // a clip of this model, or of its skeleton; it must outlive this
+
+    // These are the Animator's. The clip is one of this model, or made for its skeleton and outliving this.
+    void doAnimation(const Animation& animation);
+    void doAnimation(const Animation&& temporary) = delete;
     void update(double seconds);
     void setTime(double seconds);
+    void step(double seconds);
     void sampleAt(double documentSeconds);
+    void setSpeed(double speed) { animator_.setSpeed(speed); }
+    void setLoopMode(LoopMode mode) { animator_.setLoopMode(mode); }
 
     const Model& model() const { return *model_; }
     const Animator& animator() const { return animator_; }

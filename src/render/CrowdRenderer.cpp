@@ -17,6 +17,8 @@ namespace {
 
 using Pass = AnimatedModelShader::Pass;
 
+constexpr std::size_t kRowsPerJoint = 3;
+
 constexpr std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
@@ -54,11 +56,11 @@ struct CrowdRenderer::Impl {
         const AnimatedModel& model;
         const AnimatedModelShader& shader;
         std::size_t stride;   // joints a walker
-        std::size_t page;     // of the palette
+        std::size_t page;     // of the palettes
         std::size_t walkers;  // in it
     };
 
-    explicit Impl(std::size_t maxTexels) : palette(maxTexels) {}
+    explicit Impl(std::size_t maxTexels) : maxJoints(maxTexels / kRowsPerJoint) {}
 
     const AnimatedModelShader& start(const AnimatedModel& model, const Camera& camera, bool encodes,
                                      const RenderOptions& options);
@@ -71,7 +73,8 @@ struct CrowdRenderer::Impl {
     InstanceStates states;
     FileLights lights;
     BufferTexture lightTexture{GL_RGBA32F};
-    JointPalette palette;
+    std::size_t maxJoints;             // of a page
+    std::vector<BufferTexture> pages;  // of palettes, stored from the caller's memory
 };
 
 const AnimatedModelShader& CrowdRenderer::Impl::start(const AnimatedModel& model, const Camera& camera,
@@ -91,19 +94,21 @@ const AnimatedModelShader& CrowdRenderer::Impl::start(const AnimatedModel& model
 
 // Fills pages of the palette with walkers. Returns the number of walkers per page.
 std::size_t CrowdRenderer::Impl::upload(std::span<const JointRows> palettes, std::size_t stride) {
-    const std::size_t walkersAPage = palette.maxJoints() / stride;
+    const std::size_t walkersAPage = maxJoints / stride;
     if (walkersAPage == 0) throw GraphicsError("a walker's palette is larger than a texture buffer here");
-    palette.clear();
-    for (std::size_t at = 0; at < palettes.size(); at += walkersAPage * stride)
-        palette.add(palettes.subspan(at, std::min(walkersAPage * stride, palettes.size() - at)));
-    palette.upload();
+    std::size_t page = 0;
+    for (std::size_t at = 0; at < palettes.size(); at += walkersAPage * stride) {
+        if (page == pages.size()) pages.emplace_back(GL_RGBA32F);
+        const std::size_t count = std::min(walkersAPage * stride, palettes.size() - at);
+        pages[page++].store(palettes.subspan(at, count), GL_STREAM_DRAW);
+    }
     return walkersAPage;
 }
 
 void CrowdRenderer::Impl::drawPart(const Scene& scene, std::size_t instance, std::size_t firstJoint,
                                    const ModelResource::Part& part) {
     DeformUniforms::Values deform = states.bind(scene.model, instance);
-    palette.bind(scene.page, TextureUnit::kPalette);  // in place of the model's own
+    pages[scene.page].bind(TextureUnit::kPalette);  // in place of the model's own
     deform.firstJoint = static_cast<int>(firstJoint);
     deform.jointsPerWalker = static_cast<int>(scene.stride);
     scene.shader.loadInstance(deform);
@@ -168,13 +173,15 @@ std::size_t jointsPerWalker(const Model& model) {
 
 void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes) {
     const auto& transforms = model.animator().modelTransforms();
-    std::vector<glm::mat4> palette;
     for (const MeshInstance& instance : model.model().instances) {
-        if (const Skin* skin = skinOf(model.model(), instance))
+        const Skin* skin = skinOf(model.model(), instance);
+        const std::size_t first = palettes.size();
+        palettes.resize(first + matrixCount(model.model(), instance));
+        const std::span<JointRows> palette = std::span(palettes).subspan(first);
+        if (skin)
             computePalette(*skin, transforms, palette);
         else
-            palette.assign(1, transforms[index(instance.node)]);
-        for (const glm::mat4& matrix : palette) palettes.emplace_back(matrix);
+            palette[0] = JointRows(transforms[index(instance.node)]);
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include <glm/geometric.hpp>
+
 #include "animation/Skin.h"
 #include "render/VertexInput.h"
 
@@ -12,11 +14,14 @@ constexpr std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
+glm::vec3 transformed(const JointRows& joint, const glm::vec4& point) {
+    return {glm::dot(joint.rows[0], point), glm::dot(joint.rows[1], point), glm::dot(joint.rows[2], point)};
+}
+
 }  // namespace
 
 void InstanceStates::prepare(const AnimatedModel& model) {
     palette_.clear();
-    matrices_.clear();
     morphs_.clear();
     states_.assign(model.model().instances.size(), {});
     for (std::size_t i = 0; i < states_.size(); ++i) prepareInstance(model, i);
@@ -44,20 +49,17 @@ void InstanceStates::prepareInstance(const AnimatedModel& model, std::size_t i) 
 void InstanceStates::addPalette(const AnimatedModel& model, std::size_t i) {
     const ModelResource::Instance& resource = model.resource()->instances()[i];
     const auto& transforms = model.animator().modelTransforms();
+    const Skin* skin = resource.skin >= 0 ? &model.model().skins[index(resource.skin)] : nullptr;
     State& state = states_[i];
-    state.firstMatrix = matrices_.size();
-    if (resource.skin >= 0) {
-        computePalette(model.model().skins[index(resource.skin)], transforms, skinPalette_);
-        matrices_.insert(matrices_.end(), skinPalette_.begin(), skinPalette_.end());
-    } else {
-        matrices_.push_back(resource.deformedOnCpu ? glm::mat4(1.0f)
-                                                   : transforms[index(model.model().instances[i].node)]);
-    }
-    state.matrixCount = matrices_.size() - state.firstMatrix;
-    const auto place =
-        palette_.add(std::span<const glm::mat4>(matrices_).subspan(state.firstMatrix, state.matrixCount));
-    state.page = place.page;
-    state.deform.firstJoint = place.firstJoint;
+    state.palette = palette_.add(skin ? skin->joints.size() : 1);
+    state.deform.firstJoint = static_cast<int>(state.palette.firstJoint);
+    const std::span<JointRows> palette = palette_.joints(state.palette);
+    if (skin)
+        computePalette(*skin, transforms, palette);
+    else if (resource.deformedOnCpu)
+        palette[0] = JointRows();
+    else
+        palette[0] = JointRows(transforms[index(model.model().instances[i].node)]);
 }
 
 void InstanceStates::deformOnCpu(const AnimatedModel& model, std::size_t i) {
@@ -83,7 +85,7 @@ void InstanceStates::addMorphs(const AnimatedModel& model, std::size_t i) {
 
 const DeformUniforms::Values& InstanceStates::bind(const AnimatedModel& model, std::size_t i) const {
     const ModelResource::Instance& resource = model.resource()->instances()[i];
-    palette_.bind(states_[i].page, TextureUnit::kPalette);
+    palette_.bind(states_[i].palette.page, TextureUnit::kPalette);
     if (resource.influenceBuffers && resource.influenceBuffers->more) {
         resource.influenceBuffers->more->bind(TextureUnit::kMoreInfluences);
     }
@@ -111,9 +113,10 @@ ScreenArea InstanceStates::area(const AnimatedModel& model, const Camera& camera
     for (std::size_t i = 0; i < states_.size(); ++i) {
         const std::vector<Bounds>& boxes = model.resource()->instances()[i].boxes;
         if (!states_[i].visible) continue;
-        if (boxes.size() != states_[i].matrixCount) return ScreenArea::whole();
+        const std::span<const JointRows> palette = palette_.joints(states_[i].palette);
+        if (boxes.size() != palette.size()) return ScreenArea::whole();
         for (std::size_t m = 0; m < boxes.size(); ++m)
-            area.add(boxes[m], camera.viewProjection() * matrices_[states_[i].firstMatrix + m]);
+            area.add(boxes[m], camera.viewProjection() * palette[m].toMatrix());
     }
     return area;
 }
@@ -126,10 +129,11 @@ glm::vec3 InstanceStates::position(const AnimatedModel& model, std::size_t i, st
         return glm::vec3(model.animator().modelTransforms()[index(instance.node)] * point);
     }
     const Influences& influences = model.model().influences[index(resource.influences)];
+    const std::span<const JointRows> palette = palette_.joints(states_[i].palette);
     glm::vec3 sum(0.0f);
     for (std::uint32_t k = influences.first[position]; k < influences.first[position + 1]; ++k) {
         const Influence& influence = influences.influences[k];
-        sum += glm::vec3(matrices_[states_[i].firstMatrix + influence.joint] * point) * influence.weight;
+        sum += transformed(palette[influence.joint], point) * influence.weight;
     }
     return sum;
 }

@@ -21,10 +21,8 @@ class InstanceStates {
 public:
     struct State {
         bool visible = true;
-        std::size_t page = 0;  // of the palette
+        JointPalette::Range palette;
         DeformUniforms::Values deform;
-        std::size_t firstMatrix = 0;  // index of its palette in matrices_
-        std::size_t matrixCount = 0;
     };
 
     void prepare(const AnimatedModel& model);
@@ -49,7 +47,6 @@ private:
     JointPalette palette_;
     BufferTexture morphTexture_{GL_RG32F};
     std::vector<State> states_;
-    std::vector<glm::mat4> skinPalette_, matrices_;
     std::vector<float> coefficients_;
     std::vector<glm::vec2> morphs_;
     CpuSkinning cpu_;

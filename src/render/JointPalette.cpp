@@ -1,5 +1,6 @@
 #include "render/JointPalette.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace walkcycle {
@@ -12,35 +13,34 @@ constexpr std::size_t kRowsPerJoint = 3;
 JointPalette::JointPalette(std::size_t maxTexels) : maxJoints_(maxTexels / kRowsPerJoint) {}
 
 void JointPalette::clear() {
-    for (Page& page : pages_) page.joints.clear();
+    for (Page& page : pages_) page.used = 0;
     pagesInUse_ = 0;
 }
 
-JointPalette::Place JointPalette::newPlace(std::size_t joints) {
+JointPalette::Range JointPalette::add(std::size_t joints) {
     assert(joints <= maxJoints_);
-    const auto there = [&] { return pages_[pagesInUse_ - 1].joints.size(); };
-    if (pagesInUse_ == 0 || there() + joints > maxJoints_) {
+    if (pagesInUse_ == 0 || pages_[pagesInUse_ - 1].used + joints > maxJoints_) {
         if (++pagesInUse_ > pages_.size()) pages_.emplace_back();
     }
-    return {pagesInUse_ - 1, static_cast<int>(there())};
+    Page& page = pages_[pagesInUse_ - 1];
+    const Range range{pagesInUse_ - 1, page.used, joints};
+    page.used += joints;
+    if (page.joints.size() < page.used) page.joints.resize(page.used);
+    return range;
 }
 
-JointPalette::Place JointPalette::add(std::span<const glm::mat4> palette) {
-    const Place place = newPlace(palette.size());
-    for (const glm::mat4& matrix : palette) pages_[place.page].joints.emplace_back(matrix);
-    return place;
+std::span<JointRows> JointPalette::joints(const Range& range) {
+    return std::span(pages_[range.page].joints).subspan(range.firstJoint, range.jointCount);
 }
 
-JointPalette::Place JointPalette::add(std::span<const JointRows> palette) {
-    const Place place = newPlace(palette.size());
-    std::vector<JointRows>& joints = pages_[place.page].joints;
-    joints.insert(joints.end(), palette.begin(), palette.end());
-    return place;
+std::span<const JointRows> JointPalette::joints(const Range& range) const {
+    return std::span(pages_[range.page].joints).subspan(range.firstJoint, range.jointCount);
 }
 
 void JointPalette::upload() {
     for (std::size_t i = 0; i < pagesInUse_; ++i) {
-        pages_[i].texture.store(std::span<const JointRows>(pages_[i].joints), GL_STREAM_DRAW);
+        Page& page = pages_[i];
+        page.texture.store(std::span<const JointRows>(page.joints).first(page.used), GL_STREAM_DRAW);
     }
 }
 

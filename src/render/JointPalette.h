@@ -3,22 +3,20 @@
 #include <span>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
-
 #include "animation/JointRows.h"
 #include "render/BufferTexture.h"
 
 namespace walkcycle {
 
 // The palettes of all instances in a picture, one after the other, for shaders to read: three rows per joint,
-// since the fourth is always 0 0 0 1. There is no limit on joints: if a palette does not fit into the
-// driver's texture buffer any more, it starts another page, and meshes whose palette is larger than a page
-// are left to CpuSkinning.
+// since the fourth is always 0 0 0 1. A palette is computed in the memory that is uploaded. There is no limit on
+// joints: if a palette does not fit into the driver's texture buffer any more, it starts another page, and meshes
+// whose palette is larger than a page are left to CpuSkinning.
 class JointPalette {
 public:
-    struct Place {
-        std::size_t page = 0;
-        int firstJoint = 0;
+    // A palette's place among all of them.
+    struct Range {
+        std::size_t page = 0, firstJoint = 0, jointCount = 0;
     };
 
     explicit JointPalette(std::size_t maxTexels = BufferTexture::maxTexels());
@@ -27,18 +25,21 @@ public:
     std::size_t pageCount() const { return pagesInUse_; }
 
     void clear();  // keeps its memory
-    Place add(std::span<const glm::mat4> palette);
-    Place add(std::span<const JointRows> palette);
+    Range add(std::size_t joints);
+
+    // Where a palette is written to and read from; until the next add().
+    std::span<JointRows> joints(const Range& range);
+    std::span<const JointRows> joints(const Range& range) const;
+
     void upload();
     void bind(std::size_t page, int unit) const;
 
 private:
     struct Page {
-        std::vector<JointRows> joints;
+        std::vector<JointRows> joints;  // as many as there ever were: only the first `used` count
+        std::size_t used = 0;
         BufferTexture texture{GL_RGBA32F};
     };
-
-    Place newPlace(std::size_t joints);
 
     std::vector<Page> pages_;
     std::size_t pagesInUse_ = 0;

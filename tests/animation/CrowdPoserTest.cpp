@@ -12,7 +12,7 @@ FastPoser rising() {
     skeleton.joints.resize(1);
     Skin skin;
     skin.joints = {0};
-    skin.inverseBindMatrices = {glm::mat4(1.0f)};
+    skin.bindMatrices = {glm::mat4(1.0f)};
     Animation clip;
     clip.endSeconds = 10.0;
     clip.channels = {{.joint = 0, .keyFrames = {{0.0, {}}, {10.0, {.position = {0.0f, 10.0f, 0.0f}}}}}};

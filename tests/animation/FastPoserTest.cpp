@@ -25,9 +25,8 @@ Skin skinOf(std::vector<int> joints) {
     Skin skin;
     skin.joints = std::move(joints);
     for (std::size_t i = 0; i < skin.joints.size(); ++i)
-        skin.inverseBindMatrices.push_back(
-            glm::translate(glm::mat4(1.0f), {0.2f * static_cast<float>(i), -0.5f, 0.1f}));
-    skin.bindShapeMatrix = glm::scale(glm::mat4(1.0f), {0.5f, 0.5f, 0.5f});
+        skin.bindMatrices.push_back(glm::scale(
+            glm::translate(glm::mat4(1.0f), {0.2f * static_cast<float>(i), -0.5f, 0.1f}), glm::vec3(0.5f)));
     return skin;
 }
 

@@ -21,12 +21,11 @@ inline double difference(const std::vector<JointRows>& a, const std::vector<Join
     return largest;
 }
 
-// The largest number of any inverse bind matrix: a palette entry is the difference of numbers of that size.
+// The largest number of any bind matrix: a palette entry is the difference of numbers of that size.
 inline double sizeOf(const Skin& skin) {
     double size = 1.0;
-    for (const glm::mat4& inverseBind : skin.inverseBindMatrices)
-        for (int n = 0; n < 16; ++n)
-            size = std::max<double>(size, std::abs((inverseBind * skin.bindShapeMatrix)[n / 4][n % 4]));
+    for (const glm::mat4& bind : skin.bindMatrices)
+        for (int n = 0; n < 16; ++n) size = std::max<double>(size, std::abs(bind[n / 4][n % 4]));
     return size;
 }
 

@@ -14,17 +14,16 @@ glm::vec3 origin(const glm::mat4& matrix) {
     return glm::vec3(matrix[3]);
 }
 
-// One joint, bound two up; then the skin's own node, as every skin has it last.
-Skin oneJointSkin() {
+// One joint, bound two up; then the skin's own node, as every skin has it last. The mesh is bound at `bindShape`.
+Skin oneJointSkin(const glm::mat4& bindShape = glm::mat4(1.0f)) {
     Skin skin;
     skin.joints = {0, 1};
-    skin.inverseBindMatrices = {moved(0.0f, -2.0f, 0.0f), glm::mat4(1.0f)};
+    skin.bindMatrices = {moved(0.0f, -2.0f, 0.0f) * bindShape, bindShape};
     return skin;
 }
 
 TEST(SkinTest, inTheBindPoseTheMeshStaysWhereItsBindShapeIs) {
-    Skin skin = oneJointSkin();
-    skin.bindShapeMatrix = moved(5.0f, 0.0f, 0.0f);
+    const Skin skin = oneJointSkin(moved(5.0f, 0.0f, 0.0f));
     std::vector<glm::mat4> palette;
     computePalette(skin, {moved(0.0f, 2.0f, 0.0f), glm::mat4(1.0f)}, palette);
 
@@ -33,8 +32,7 @@ TEST(SkinTest, inTheBindPoseTheMeshStaysWhereItsBindShapeIs) {
 }
 
 TEST(SkinTest, aTurnedJointTurnsTheBindShapeAboutItself) {
-    Skin skin = oneJointSkin();
-    skin.bindShapeMatrix = moved(1.0f, 2.0f, 0.0f);
+    const Skin skin = oneJointSkin(moved(1.0f, 2.0f, 0.0f));
     const glm::mat4 turned =
         glm::rotate(moved(0.0f, 2.0f, 0.0f), glm::radians(90.0f), glm::vec3(0.0f, 0.0f, 1.0f));
     std::vector<glm::mat4> palette;
@@ -92,6 +90,19 @@ TEST(SkinTest, anAncestorScaledToNothingGivesNoInfinities) {
     computePalette(skin, {glm::mat4(0.0f), glm::mat4(0.0f)}, palette);
 
     for (int column = 0; column < 4; ++column) EXPECT_EQ(palette[0][column], glm::vec4(0.0f));
+}
+
+TEST(SkinTest, thePaletteOfRowsIsTheSame) {
+    Skin skin = oneJointSkin(moved(1.0f, 2.0f, 3.0f));
+    skin.placedBy = 1;
+    const std::vector<glm::mat4> transforms{glm::rotate(moved(0.0f, 2.0f, 0.0f), 0.7f, glm::vec3(1.0f)),
+                                            moved(4.0f, 5.0f, 6.0f)};
+    std::vector<glm::mat4> palette;
+    std::vector<JointRows> rows(2);
+    computePalette(skin, transforms, palette);
+    computePalette(skin, transforms, std::span(rows));
+
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(rows[i].toMatrix(), palette[i]);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "app/JointKeys.h"
 #include "app/JsonText.h"
 #include "app/Numbers.h"
-#include "app/Playback.h"
 
 namespace walkcycle {
 namespace {
@@ -73,43 +72,6 @@ TEST(JsonTextTest, bytesThatAreNoUtf8StillGiveValidJson) {
     JsonText json;
     json.string("L\xE4ufer");
     EXPECT_EQ(json.take(), "\"L\\u00e4ufer\"");
-}
-
-TEST(PlaybackTest, loopingStartsAgainAndPingPongTurnsBack) {
-    Playback playback;
-    playback.start(2.0);
-    playback.advance(2.5);
-    EXPECT_NEAR(playback.time(), 0.5, 1e-12);
-    playback.mode = LoopMode::PingPong;
-    playback.start(2.0);
-    playback.advance(2.5);
-    EXPECT_NEAR(playback.time(), 1.5, 1e-12);
-    playback.advance(2.0);
-    EXPECT_NEAR(playback.time(), 0.5, 1e-12);
-}
-
-TEST(PlaybackTest, playingOnceStopsAtTheEnd) {
-    Playback playback;
-    playback.mode = LoopMode::Once;
-    playback.start(1.0);
-    EXPECT_FALSE(playback.atEnd());
-    playback.advance(5.0);
-    EXPECT_TRUE(playback.atEnd());
-    EXPECT_EQ(playback.time(), 1.0);
-}
-
-TEST(PlaybackTest, steppingPausesAndBackwardsWorks) {
-    Playback playback;
-    playback.start(1.0, 0.5);
-    playback.step(-1);
-    EXPECT_TRUE(playback.paused);
-    EXPECT_NEAR(playback.time(), 0.5 - 1.0 / 30.0, 1e-12);
-    playback.advance(10.0);
-    EXPECT_NEAR(playback.time(), 0.5 - 1.0 / 30.0, 1e-12);
-    playback.paused = false;
-    playback.speed = -1.0;
-    playback.advance(0.6);
-    EXPECT_NEAR(playback.time(), 0.9 - 1.0 / 30.0, 1e-12);
 }
 
 }  // namespace

@@ -60,6 +60,8 @@ TEST_F(ProgramTest, wrongUsageExitsWithTwoAndOneLine) {
         {"render", good, "-o", "x.png", "--background", "blue"},
         {"render", good, "-o", "x_{frame:zz}.png"},
         {"render", good, "-o", "x.png", "--lights", "disco"},
+        {"view", good, "--speed", "1000"},
+        {"view", good, "--speed", "-0.001"},
         {"pose", good, "--time", "nan"},
         {"pose", good, "--up", "W"},
         {"check"},

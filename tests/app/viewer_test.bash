@@ -59,6 +59,14 @@ differs_from() {
     [ "$(differing_bytes "$1" now)" -gt 500 ]
 }
 has_ended() { ! kill -0 "$viewer" 2>/dev/null; }
+title_has() { xdotool getwindowname "$window" 2>/dev/null | grep -q -e "$1"; }
+title_lacks() { ! title_has "$1"; }
+find_window() {
+    window=$(xdotool search --onlyvisible --name "$(basename "$document" .dae)" | head -n 1)
+    [ -n "$window" ] || fail "the window's title does not name the file"
+    xdotool mousemove --window "$window" 40 40
+    xdotool windowfocus "$window"
+}
 
 Xvfb -displayfd 3 -screen 0 1400x900x24 -fbdir "$work" -nolisten tcp 3>"$work/display" 2>"$work/server.log" &
 server=$!
@@ -71,10 +79,7 @@ screenshot empty
 "$walkcycle" view "$document" >"$work/viewer.log" 2>&1 &
 viewer=$!
 until_true 60 shows_a_window || fail "nothing appears on the screen"
-window=$(xdotool search --onlyvisible --name "$(basename "$document" .dae)" | head -n 1)
-[ -n "$window" ] || fail "the window's title does not name the file"
-xdotool mousemove --window "$window" 40 40
-xdotool windowfocus "$window"
+find_window
 
 until_true 30 moves || fail "the walk does not play"
 
@@ -94,12 +99,30 @@ xdotool windowsize "$window" 700 500
 xdotool key space
 until_true 30 moves || fail "Space does not play on after the window was resized"
 
+xdotool key minus
+until_true 20 title_has "x0.79" || fail "the minus does not slow the walk down"
+xdotool key BackSpace
+until_true 20 title_lacks " - x" || fail "Backspace does not give the clip its own speed"
+
 xdotool key q
 until_true 20 has_ended || fail "Q does not close the window"
 status=0
 wait "$viewer" || status=$?
 [ $status = 0 ] || fail "the viewer ended with exit code $status"
 viewer=
+# Once and backwards: from the clip's end to its start, where it stays until Space plays it again.
+"$walkcycle" view "$document" --loop once --speed -1 >"$work/viewer.log" 2>&1 &
+viewer=$!
+until_true 60 shows_a_window || fail "nothing appears on the screen when it plays backwards"
+find_window
+until_true 30 title_has " - 0.00 / .* - x-1.00" || fail "played backwards, it does not come to the clip's start"
+until_true 20 stands_still || fail "played once, it does not stop"
+xdotool key space
+until_true 20 moves || fail "Space does not play it again"
+kill "$viewer"
+until_true 20 has_ended || fail "a signal does not end the viewer"
+wait "$viewer" || true
+
 # A display that goes away under the window is an error of its own, not a hang.
 "$walkcycle" view "$document" >"$work/viewer.log" 2>&1 &
 viewer=$!

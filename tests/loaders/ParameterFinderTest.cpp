@@ -13,9 +13,10 @@ using testing::SizeIs;
 
 // What the animated parameters are at a time, by the keyframes and by the file's curves alike.
 std::vector<float> parametersAt(const Model& model, double seconds) {
-    std::vector<float> keyedValues = model.restParameters();
-    Pose pose(model.skeleton);
-    sample(model.animations.at(0), seconds, pose, keyedValues);
+    Animator animator(model.skeleton, model.restParameters());
+    animator.doAnimation(model.animations.at(0));
+    animator.sampleAt(seconds);
+    const std::vector<float>& keyedValues = animator.parameters();
     std::vector<glm::dmat4> locals(model.skeleton.joints.size());
     std::vector<double> exact(model.parameters.size());
     model.exactMotion->evaluate(seconds, locals, exact);

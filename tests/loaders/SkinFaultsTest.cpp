@@ -80,7 +80,7 @@ TEST(SkinFaultsTest, aRestPoseThatIsFlatBindsWithoutMovingAnything) {
         "<node id='hip' sid='hip'><scale>0 0 0</scale><node id='knee' sid='knee'/></node>\n";
     const Model model = loadText(document(SkinText{}, flat + kBody));
     for (const glm::vec3& position : posed(model)) EXPECT_EQ(position, glm::vec3(0.0f));
-    EXPECT_EQ(model.skins.at(0).inverseBindMatrices[0], glm::mat4(1.0f));
+    EXPECT_EQ(model.skins.at(0).bindMatrices[0], glm::mat4(1.0f));
 }
 
 TEST(SkinFaultsTest, jointNamesThatAreNotThereLeaveTheMeshUnskinned) {

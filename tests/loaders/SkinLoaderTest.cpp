@@ -52,6 +52,15 @@ TEST(SkinLoaderTest, theInverseBindMatrixComesAfterTheBindShapeMatrix) {
     EXPECT_THAT(posed(loadText(document(skin))), ElementsAre(isAt(21, 0, 1), isAt(10, 1, 0), isAt(9, 0, 0)));
 }
 
+// 3 * 4,000,000.25 - 12,000,000; a float cannot hold the first product.
+TEST(SkinLoaderTest, bindMatricesFarFromTheOriginLoseNothingWhenTheyAreMultiplied) {
+    SkinText skin = plainSkin();
+    skin.bindShape = "<bind_shape_matrix>" + moved(4000000.25f, 0, 0) + "</bind_shape_matrix>";
+    skin.inverseBinds = matrixSource("binds", kIdentity + "3 0 0 -12000000 0 1 0 0 0 0 1 0 0 0 0 1");
+    const Model model = loadText(document(skin));
+    EXPECT_EQ(model.skins.at(0).bindMatrices.at(1)[3].x, 0.75f);
+}
+
 TEST(SkinLoaderTest, weightsThatCountThroughAnotherListOfJointsAreToldOf) {
     std::string text = document(plainSkin());
     const std::size_t weights = text.find("<vertex_weights");

@@ -29,7 +29,7 @@ Model onePoint(std::vector<Deformer> deformers) {
     model.meshes = {mesh};
     Skin skin;
     skin.joints = {1, 0};
-    skin.inverseBindMatrices = {glm::mat4(1.0f), glm::mat4(1.0f)};
+    skin.bindMatrices = {glm::mat4(1.0f), glm::mat4(1.0f)};
     model.skins = {skin};
     Influences influences;
     influences.first = {0, 1};
@@ -80,7 +80,7 @@ TEST(CpuSkinningTest, aSkinnedMeshFollowsItsJointsAndNotItsNode) {
 TEST(CpuSkinningTest, everyInfluenceCounts) {
     Model model = onePoint({kSkin});
     model.skins[0].joints = {0, 1, 0};
-    model.skins[0].inverseBindMatrices.assign(3, glm::mat4(1.0f));
+    model.skins[0].bindMatrices.assign(3, glm::mat4(1.0f));
     model.influences[0].first = {0, 3};
     model.influences[0].influences = {{0, 0.25f}, {1, 0.5f}, {2, 0.25f}};
 

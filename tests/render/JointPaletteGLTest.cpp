@@ -1,5 +1,3 @@
-#include <vector>
-
 #include "render/GlTest.h"
 #include "render/JointPalette.h"
 
@@ -10,26 +8,39 @@ class JointPaletteGLTest : public GlTest {};
 
 TEST_F(JointPaletteGLTest, palettesFollowEachOtherOnAPage) {
     JointPalette palette;
-    const std::vector<glm::mat4> ten(10, glm::mat4(1.0f));
-    EXPECT_EQ(palette.add(ten).firstJoint, 0);
-    EXPECT_EQ(palette.add(ten).firstJoint, 10);
+    EXPECT_EQ(palette.add(10).firstJoint, 0u);
+    EXPECT_EQ(palette.add(10).firstJoint, 10u);
     EXPECT_EQ(palette.pageCount(), 1u);
 }
 
 TEST_F(JointPaletteGLTest, aFullPageIsFollowedByAnother) {
     JointPalette palette(45);  // texels: fifteen joints
-    const std::vector<glm::mat4> ten(10, glm::mat4(1.0f));
-    EXPECT_EQ(palette.add(ten).page, 0u);
-    const auto second = palette.add(ten);
+    EXPECT_EQ(palette.add(10).page, 0u);
+    const JointPalette::Range second = palette.add(10);
     EXPECT_EQ(second.page, 1u);
-    EXPECT_EQ(second.firstJoint, 0);
+    EXPECT_EQ(second.firstJoint, 0u);
 }
 
 TEST_F(JointPaletteGLTest, clearingStartsAgain) {
     JointPalette palette;
-    palette.add(std::vector<glm::mat4>(10, glm::mat4(1.0f)));
+    palette.add(10);
     palette.clear();
-    EXPECT_EQ(palette.add(std::vector<glm::mat4>(10, glm::mat4(1.0f))).firstJoint, 0);
+    EXPECT_EQ(palette.add(10).firstJoint, 0u);
+}
+
+TEST_F(JointPaletteGLTest, whatIsWrittenIntoAPaletteIsWhatTheShaderReads) {
+    JointPalette palette;
+    palette.add(7);
+    palette.clear();  // a shorter picture after a longer one
+    const JointPalette::Range first = palette.add(1), second = palette.add(2);
+    palette.joints(first)[0].rows[0].x = 5.0f;
+    palette.joints(second)[1].rows[2].w = 9.0f;
+    palette.upload();  // leaves the buffer bound
+
+    std::vector<JointRows> rows(3);
+    glGetBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(3 * sizeof(JointRows)), rows.data());
+    EXPECT_EQ(rows[0].rows[0].x, 5.0f);
+    EXPECT_EQ(rows[2].rows[2].w, 9.0f);
 }
 
 }  // namespace

@@ -98,6 +98,7 @@ inline Model rigid(MeshData mesh, const glm::mat4& transform = glm::mat4(1.0f),
 // stretch unevenly, so that posed and bind transforms differ. The last palette entry is the skin's own node.
 inline Model skinned(int joints, int influencesPerPosition) {
     Model model = rigid(ball());
+    const glm::mat4 bindShape = glm::scale(glm::mat4(1.0f), glm::vec3(1.1f, 0.9f, 1.0f));
     Skin skin;
     for (int j = 0; j < joints; ++j) {
         const float t = static_cast<float>(j) / static_cast<float>(joints);
@@ -108,11 +109,10 @@ inline Model skinned(int joints, int influencesPerPosition) {
         model.skeleton.joints.push_back(node(transform, 0));
         skin.joints.push_back(j + 1);
         const glm::mat4 bind = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, t, 0.2f * t));
-        skin.inverseBindMatrices.push_back(glm::rotate(bind, t, glm::vec3(0, 0, 1)));
+        skin.bindMatrices.push_back(glm::rotate(bind, t, glm::vec3(0, 0, 1)) * bindShape);
     }
     skin.joints.push_back(0);
-    skin.inverseBindMatrices.push_back(glm::mat4(1.0f));
-    skin.bindShapeMatrix = glm::scale(glm::mat4(1.0f), glm::vec3(1.1f, 0.9f, 1.0f));
+    skin.bindMatrices.push_back(bindShape);
     Influences influences;
     const auto positions = static_cast<int>(model.meshes[0].positions.size());
     for (int p = 0; p < positions; ++p) {
