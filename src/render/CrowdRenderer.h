@@ -26,7 +26,7 @@ namespace walkcycle {
 //     renderer.clear(picture);  // an AnimatedModelRenderer's
 //     crowd.draw(model, palettes, camera, picture);
 //
-// A FastPoser or a CrowdPoser makes the palettes of a model with a single skinned mesh much faster.
+// A CrowdPoser makes the palettes of a model with a single skinned mesh several times as fast.
 // Materials, lights and morph weights are the model's, the same for all. Walkers that show through are not sorted. Keeps
 // its shaders and work memory, and belongs to the OpenGL context that it was made in.
 class CrowdRenderer {
@@ -54,8 +54,5 @@ std::size_t jointsPerWalker(const Model& model);
 
 // Adds the palette of the pose that the model has now.
 void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes);
-
-// Moves a walker, or several, to where they stand.
-void place(std::span<JointRows> palette, const glm::mat4& placement);
 
 }  // namespace walkcycle
