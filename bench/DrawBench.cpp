@@ -279,9 +279,7 @@ void crowdPicture(benchmark::State& state) {
         return;
     }
     const Camera camera = framed(crowd.bounds);
-    const FastPoser poser(stage->model->skeleton, stage->model->animations.front(),
-                          stage->model->skins.front());
-    CrowdPoser posers(poser);
+    CrowdPoser poser(stage->model->skeleton, stage->model->animations.front(), stage->model->skins.front());
     std::vector<JointRows> palettes(crowd.count * poser.paletteSize());
     std::vector<double> seconds(crowd.count);
     AnimatedModelRenderer renderer;
@@ -291,7 +289,7 @@ void crowdPicture(benchmark::State& state) {
     repeat(state, [&] {
         now += 1.0 / 60.0;
         for (std::size_t i = 0; i < crowd.count; ++i) seconds[i] = now + crowd.seconds(i);
-        posers.pose(seconds, palettes);
+        poser.pose(seconds, palettes);
         for (std::size_t i = 0; i < crowd.count; ++i)
             place(std::span(palettes).subspan(i * poser.paletteSize(), poser.paletteSize()),
                   crowd.placement(i));

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     }
 
     // This model is one skinned mesh: its palette is all that a walker has.
-    CrowdPoser poser(FastPoser(model.model().skeleton, walk, model.model().skins.front()));
+    CrowdPoser poser(model.model().skeleton, walk, model.model().skins.front());
     std::vector<JointRows> palettes(seconds.size() * poser.paletteSize());
     poser.pose(seconds, palettes);
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -7,7 +7,7 @@ namespace walkcycle {
 namespace {
 
 // How much of a row and of the next one make the moment between them. sin(t a) / sin(a) is a power series in cos(a) - 1
-// (D. Eberly, "A Fast and Accurate Algorithm for Computing SLERP", 2011); as rows turn little from one to the next (kMaxTurn),
+// (D. Eberly, "A Fast and Accurate Algorithm for Computing SLERP", 2011); as the angle from row to row is small (kMaxHalfAngle),
 // four terms leave less than a float can tell.
 struct Shares {
     static constexpr std::size_t kTerms = 4;
@@ -31,7 +31,7 @@ struct Shares {
     std::array<Float4, kTerms> ofRow, ofNext;
 };
 
-using Turn = std::array<Float4, 4>;  // x, y, z, w of four quaternions
+using Rotations = std::array<Float4, 4>;  // x, y, z, w of four quaternions
 
 template <std::size_t kCount>
 void straight(const Float4* row, const Float4* next, Float4 t, std::array<Float4, kCount>& out) {
@@ -49,7 +49,7 @@ Float4 dot(const Float4* a, const Float4* b) {
 }
 
 // The rows are on the same side of the sphere already.
-void slerp(const Float4* a, const Float4* b, const Shares& shares, Turn& out) {
+void slerp(const Float4* a, const Float4* b, const Shares& shares, Rotations& out) {
     const Float4 cosineLessOne = dot(a, b) - splat(1.0f);
     const Float4 ofA = Shares::series(shares.left, shares.ofRow, cosineLessOne);
     const Float4 ofB = Shares::series(shares.t, shares.ofNext, cosineLessOne);
@@ -57,7 +57,7 @@ void slerp(const Float4* a, const Float4* b, const Shares& shares, Turn& out) {
 }
 
 // translate * rotate * scale of four joints, as three rows each. The quaternions may have any length but zero.
-void compose(const Turn& q, const std::array<Float4, 3>& position, const std::array<Float4, 3>& scale,
+void compose(const Rotations& q, const std::array<Float4, 3>& position, const std::array<Float4, 3>& scale,
              const std::array<int, 4>& slots, std::span<Rows> locals) {
     const Float4 twice = splat(2.0f) / dot(q.data(), q.data()), one = splat(1.0f);
     const Float4 x2 = q[0] * twice, y2 = q[1] * twice, z2 = q[2] * twice;
@@ -101,7 +101,7 @@ void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
     const Float4* row = numbers.data() + at * width;
     const Float4* next = row + width;
     for (const Group& group : groups) {
-        Turn rotation = group.rotation;
+        Rotations rotation = group.rotation;
         std::array<Float4, 3> position = group.position, scale = group.scale;
         const auto blend = [&](int place, auto& out) {
             if (place == Group::kNoPlace) return;

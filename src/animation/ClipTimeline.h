@@ -16,8 +16,8 @@ namespace walkcycle {
 // It is a table with a row for each time at which one of its channels has a key. A row holds what every channel is at that
 // time, also of those without a key there. A moment lies between two rows, which a grid over the time finds without a search.
 struct ClipTimeline {
-    // Half the angle (radians) that a joint turns at most from a row to the next; what the blending counts on.
-    static constexpr double kMaxTurn = 0.35;
+    // Half the angle (radians) that a joint rotates at most from a row to the next; what the blending counts on.
+    static constexpr double kMaxHalfAngle = 0.35;
 
     // Four joints. What of them never changes is here; the rest is in the rows, at these places (in Float4s).
     struct Group {

@@ -4,28 +4,25 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <vector>
+
+#include "animation/FastPoser.h"
 
 namespace walkcycle {
 
 class CrowdPoser::Workers {
 public:
     Workers(const FastPoser& poser, unsigned int threads) : posers_(std::max(1u, threads), poser) {
-        for (std::size_t i = 1; i < posers_.size(); ++i) threads_.emplace_back([this, i] { workOn(i); });
+        for (std::size_t i = 1; i < posers_.size(); ++i)
+            threads_.emplace_back([this, i](const std::stop_token& stop) { work(stop, posers_[i]); });
     }
 
-    ~Workers() {
-        {
-            const std::lock_guard lock(mutex_);
-            ends_ = true;
-        }
-        begin_.notify_all();
-    }
-
-    std::size_t paletteSize() const { return posers_.front().paletteSize(); }
+    const FastPoser& poser() const { return posers_.front(); }
 
     void pose(std::span<const double> seconds, std::span<JointRows> palettes) {
+        if (threads_.empty() || seconds.size() <= kPortion) return posers_.front().pose(seconds, palettes);
         {
             const std::lock_guard lock(mutex_);
             seconds_ = seconds;
@@ -44,23 +41,21 @@ private:
     static constexpr std::size_t kPortion = 64;  // characters
 
     void takePortions(FastPoser& poser) {
+        const std::size_t size = poser.paletteSize();
         for (;;) {
             const std::size_t first = kPortion * nextPortion_++;
             if (first >= seconds_.size()) return;
             const std::size_t count = std::min(kPortion, seconds_.size() - first);
-            poser.pose(seconds_.subspan(first, count),
-                       palettes_.subspan(first * paletteSize(), count * paletteSize()));
+            poser.pose(seconds_.subspan(first, count), palettes_.subspan(first * size, count * size));
         }
     }
 
-    void workOn(std::size_t index) {
+    void work(const std::stop_token& stop, FastPoser& poser) {
         std::unique_lock lock(mutex_);
-        for (std::size_t seen = 0;;) {
-            begin_.wait(lock, [&] { return ends_ || round_ != seen; });
-            if (ends_) return;
+        for (std::size_t seen = 0; begin_.wait(lock, stop, [&] { return round_ != seen; });) {
             seen = round_;
             lock.unlock();
-            takePortions(posers_[index]);
+            takePortions(poser);
             lock.lock();
             if (--busy_ == 0) done_.notify_one();
         }
@@ -68,27 +63,38 @@ private:
 
     std::vector<FastPoser> posers_;  // one per thread; the first is the caller's
     std::mutex mutex_;               // of all below but nextPortion_
-    std::condition_variable begin_, done_;
+    std::condition_variable_any begin_;
+    std::condition_variable done_;
     std::span<const double> seconds_;
     std::span<JointRows> palettes_;
     std::atomic<std::size_t> nextPortion_{0};
     std::size_t busy_ = 0, round_ = 0;
-    bool ends_ = false;
-    std::vector<std::jthread> threads_;  // last, so that they end first
+    std::vector<std::jthread> threads_;  // last, so that they stop first
 };
 
-CrowdPoser::CrowdPoser(const FastPoser& poser, unsigned int threads)
-    : workers_(
-          std::make_unique<Workers>(poser, threads > 0 ? threads : std::thread::hardware_concurrency())) {}
+CrowdPoser::CrowdPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin,
+                       unsigned int threads)
+    : workers_(std::make_unique<Workers>(FastPoser(skeleton, animation, skin),
+                                         threads > 0 ? threads : std::thread::hardware_concurrency())) {}
 
 CrowdPoser::~CrowdPoser() = default;
+CrowdPoser::CrowdPoser(CrowdPoser&&) noexcept = default;
+CrowdPoser& CrowdPoser::operator=(CrowdPoser&&) noexcept = default;
 
 std::size_t CrowdPoser::paletteSize() const {
-    return workers_->paletteSize();
+    return workers_->poser().paletteSize();
+}
+
+double CrowdPoser::lengthInSeconds() const {
+    return workers_->poser().lengthInSeconds();
 }
 
 void CrowdPoser::pose(std::span<const double> seconds, std::span<JointRows> palettes) {
     workers_->pose(seconds, palettes);
+}
+
+void CrowdPoser::poseOne(double seconds, std::span<JointRows> palette) {
+    workers_->pose({&seconds, 1}, palette);
 }
 
 }  // namespace walkcycle

@@ -4,121 +4,88 @@
 #include <cmath>
 
 #include "animation/ClipTimeline.h"
+#include "animation/Interpolation.h"
 
 namespace walkcycle {
 namespace {
 
-double length(const glm::dquat& q) {
-    return std::sqrt(glm::dot(q, q));
+double halfAngle(const JointTransform& a, const JointTransform& b) {
+    return std::acos(std::min(1.0, std::abs(glm::dot(glm::dquat(a.rotation), glm::dquat(b.rotation)))));
 }
 
-// Of unit length, and on a's side of the sphere.
-glm::dquat nearest(const glm::dquat& a, const glm::quat& b) {
-    const glm::dquat unit = glm::normalize(glm::dquat(b));
-    return glm::dot(a, unit) < 0.0 ? -unit : unit;
+// In the order of Cubics, of a transform or of its rates.
+template <typename Transform>
+std::array<double, 10> numbersOf(const Transform& t) {
+    return {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w, t.position.x,
+            t.position.y, t.position.z, t.scale.x,    t.scale.y,    t.scale.z};
 }
 
-double halfAngle(const glm::dquat& a, const glm::dquat& b) {
-    return 2.0 * std::atan2(length(b - a), length(b + a));
-}
-
-glm::dquat slerp(const glm::dquat& a, const glm::dquat& b, double progression) {
-    const double angle = halfAngle(a, b);
-    if (angle < 1e-6) return glm::normalize(a * (1.0 - progression) + b * progression);
-    return (a * std::sin((1.0 - progression) * angle) + b * std::sin(progression * angle)) / std::sin(angle);
-}
-
-// Hermite's cubic over a whole segment of the channel, cut down to the part from s to s + share of it.
-ExactChannel::Cubic part(double a, double out, double b, double in, double seconds, double s, double share) {
-    const double c1 = out * seconds, end = in * seconds;
-    const double c2 = 3.0 * (b - a) - 2.0 * c1 - end, c3 = 2.0 * (a - b) + c1 + end;
-    return {a + s * (c1 + s * (c2 + s * c3)), share * (c1 + s * (2.0 * c2 + s * 3.0 * c3)),
-            share * share * (c2 + 3.0 * s * c3), share * share * share * c3};
+// A curve cut down to the part from s to s + share of it.
+ExactChannel::Cubic part(const ExactChannel::Cubic& c, double s, double share) {
+    return {c[0] + s * (c[1] + s * (c[2] + s * c[3])), share * (c[1] + s * (2.0 * c[2] + s * 3.0 * c[3])),
+            share * share * (c[2] + 3.0 * s * c[3]), share * share * share * c[3]};
 }
 
 }  // namespace
 
 ExactChannel::ExactChannel(const Channel& channel) : channel_(&channel) {
-    for (std::size_t k = 0; k < keyCount(); ++k) {
-        const double begin = secondsOf(k);
+    for (const KeyFrame& key : channel.keyFrames) keys_.push_back({key.seconds, key.step});
+    if (isMatrix())
+        for (const MatrixKeyFrame& key : channel.matrixKeyFrames) keys_.push_back({key.seconds, key.step});
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+        const double begin = keys_[k].seconds;
         times_.push_back(begin);
-        if (k + 1 == keyCount()) break;
-        const double end = secondsOf(k + 1);
-        if (isStep(k) || end == begin) {
+        if (k + 1 == keys_.size()) break;
+        const double end = keys_[k + 1].seconds;
+        if (keys_[k].step || end == begin) {
             jumps_.push_back(end);
             continue;
         }
         if (isMatrix() || isCubic()) continue;
-        const glm::dquat a = glm::normalize(glm::dquat(channel.keyFrames[k].transform.rotation));
-        const double angle = halfAngle(a, nearest(a, channel.keyFrames[k + 1].transform.rotation));
-        const int pieces = static_cast<int>(std::ceil(angle / ClipTimeline::kMaxTurn));
+        const double angle = halfAngle(channel.keyFrames[k].transform, channel.keyFrames[k + 1].transform);
+        const int pieces = static_cast<int>(std::ceil(angle / ClipTimeline::kMaxHalfAngle));
         for (int i = 1; i < pieces; ++i) times_.push_back(begin + (end - begin) * i / pieces);
     }
     times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
     jumps_.erase(std::unique(jumps_.begin(), jumps_.end()), jumps_.end());
 }
 
-std::size_t ExactChannel::keyCount() const {
-    return isMatrix() ? channel_->matrixKeyFrames.size() : channel_->keyFrames.size();
+ExactChannel::Between ExactChannel::keysAround(double seconds, Side side) const {
+    const auto hasCome = [&](const Key& key) {
+        return key.seconds < seconds || (key.seconds == seconds && side == Side::Right);
+    };
+    const auto next = std::partition_point(keys_.begin(), keys_.end(), hasCome);
+    if (next == keys_.begin()) return {};
+    const auto to = static_cast<std::size_t>(next - keys_.begin());
+    const Key& key = keys_[to - 1];
+    if (next == keys_.end() || key.step) return {to - 1, to - 1, 0.0};
+    return {to - 1, to, (seconds - key.seconds) / (next->seconds - key.seconds)};
 }
 
-double ExactChannel::secondsOf(std::size_t key) const {
-    return isMatrix() ? channel_->matrixKeyFrames[key].seconds : channel_->keyFrames[key].seconds;
-}
-
-bool ExactChannel::isStep(std::size_t key) const {
-    return isMatrix() ? channel_->matrixKeyFrames[key].step : channel_->keyFrames[key].step;
-}
-
-ExactChannel::Place ExactChannel::placeOf(double seconds, Side side) const {
-    std::size_t low = 0, high = keyCount();  // the first key that is still to come
-    while (low < high) {
-        const std::size_t middle = low + (high - low) / 2;
-        const double at = secondsOf(middle);
-        if (at < seconds || (at == seconds && side == Side::Right))
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == 0) return {};
-    if (low == keyCount() || isStep(low - 1)) return {low - 1, low - 1, 0.0};
-    const double begin = secondsOf(low - 1);
-    return {low - 1, low, (seconds - begin) / (secondsOf(low) - begin)};
-}
-
-ExactChannel::Transform ExactChannel::transformAt(double seconds, Side side) const {
-    const Place at = placeOf(seconds, side);
-    const JointTransform& from = channel_->keyFrames[at.key].transform;
-    const JointTransform& to = channel_->keyFrames[at.next].transform;
-    const glm::dquat rotation = glm::normalize(glm::dquat(from.rotation));
-    return {glm::mix(glm::dvec3(from.position), glm::dvec3(to.position), at.progression),
-            slerp(rotation, nearest(rotation, to.rotation), at.progression),
-            glm::mix(glm::dvec3(from.scale), glm::dvec3(to.scale), at.progression)};
+ExactTransform ExactChannel::transformAt(double seconds, Side side) const {
+    const Between at = keysAround(seconds, side);
+    return ExactTransform::interpolate(ExactTransform(channel_->keyFrames[at.from].transform),
+                                       ExactTransform(channel_->keyFrames[at.to].transform), at.progression);
 }
 
 glm::dmat4 ExactChannel::matrixAt(double seconds, Side side) const {
-    const Place at = placeOf(seconds, side);
-    return glm::dmat4(channel_->matrixKeyFrames[at.key].matrix) * (1.0 - at.progression) +
-           glm::dmat4(channel_->matrixKeyFrames[at.next].matrix) * at.progression;
+    const Between at = keysAround(seconds, side);
+    return glm::dmat4(channel_->matrixKeyFrames[at.from].matrix) * (1.0 - at.progression) +
+           glm::dmat4(channel_->matrixKeyFrames[at.to].matrix) * at.progression;
 }
 
 ExactChannel::Cubics ExactChannel::cubicsBetween(double begin, double end) const {
-    const Place at = placeOf(begin, Side::Right);
-    const JointTransform &from = channel_->keyFrames[at.key].transform,
-                         &to = channel_->keyFrames[at.next].transform;
-    const KeyTangents::Rates &out = channel_->tangents[at.key].out, &in = channel_->tangents[at.next].in;
-    const double seconds = secondsOf(at.next) - secondsOf(at.key);
+    const Between at = keysAround(begin, Side::Right);
+    const auto a = numbersOf(channel_->keyFrames[at.from].transform),
+               leaving = numbersOf(channel_->tangents[at.from].out);
+    const auto b = numbersOf(channel_->keyFrames[at.to].transform),
+               arriving = numbersOf(channel_->tangents[at.to].in);
+    const double seconds = keys_[at.to].seconds - keys_[at.from].seconds;
     const double share = seconds > 0.0 ? (end - begin) / seconds : 0.0;
     Cubics cubics;
-    const auto cut = [&](auto& into, const auto& a, const auto& leaving, const auto& b,
-                         const auto& arriving) {
-        for (int i = 0; i < static_cast<int>(into.size()); ++i)
-            into[static_cast<std::size_t>(i)] =
-                part(a[i], leaving[i], b[i], arriving[i], seconds, at.progression, share);
-    };
-    cut(cubics.rotation, from.rotation, out.rotation, to.rotation, in.rotation);
-    cut(cubics.position, from.position, out.position, to.position, in.position);
-    cut(cubics.scale, from.scale, out.scale, to.scale, in.scale);
+    for (std::size_t i = 0; i < cubics.size(); ++i)
+        cubics[i] = part(hermitePowers(a[i], leaving[i] * seconds, b[i], arriving[i] * seconds),
+                         at.progression, share);
     return cubics;
 }
 

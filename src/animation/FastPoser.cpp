@@ -1,12 +1,9 @@
 #include "animation/FastPoser.h"
 
 #include <cassert>
-#include <cmath>
-
-#include <glm/matrix.hpp>
 
 #include "animation/Animator.h"
-#include "animation/ClipTimeline.h"
+#include "animation/SkinPlacement.h"
 #include "animation/TimelineBuilder.h"
 
 namespace walkcycle {
@@ -22,7 +19,7 @@ glm::mat4 toMatrix(const Rows& rows) {
     return joint.toMatrix();
 }
 
-// The joints that the skin hangs on, with all above them: a place in the order of the skeleton, or -1.
+// The joints that the skin hangs on, with all above them: a slot for each in the order of the skeleton, or -1.
 std::vector<int> slotsOf(const Skeleton& skeleton, const Skin& skin) {
     std::vector<bool> matters(skeleton.joints.size(), false);
     for (const int joint : skin.joints) matters[static_cast<std::size_t>(joint)] = true;
@@ -40,31 +37,9 @@ std::vector<int> slotsOf(const Skeleton& skeleton, const Skin& skin) {
 
 }  // namespace
 
-struct FastPoser::Tables {
-    struct Entry {
-        std::size_t slot = 0;
-        Rows toJoint{};  // mesh space -> joint space
-    };
-    std::vector<ClipTimeline> timelines;
-    std::vector<int> parents;  // per slot
-    std::vector<Rows> rest;    // per slot: the local transform of what does not move
-    Rows root{};
-    std::vector<Entry> palette;
-    int placedBy = kNoParent, placedRelativeTo = kNoParent;  // slots
-    glm::mat4 placedInRoot{1.0f};
-    double start = 0.0, length = 0.0;
-
-    double timeOf(double seconds) const { return start + loop(seconds, length); }
-
-    // As computePalette has it.
-    Rows placement(const std::vector<Rows>& models) const {
-        const glm::mat4 meetingPoint = placedRelativeTo == kNoParent
-                                           ? placedInRoot
-                                           : toMatrix(models[static_cast<std::size_t>(placedRelativeTo)]);
-        if (!std::isnormal(glm::determinant(meetingPoint))) return toRows(glm::mat4(1.0f));
-        return toRows(toMatrix(models[static_cast<std::size_t>(placedBy)]) * glm::inverse(meetingPoint));
-    }
-};
+double FastPoser::Tables::timeOf(double seconds) const {
+    return start + loop(seconds, length);
+}
 
 FastPoser::FastPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin) {
     const std::vector<int> slots = slotsOf(skeleton, skin);
@@ -92,34 +67,19 @@ FastPoser::FastPoser(const Skeleton& skeleton, const Animation& animation, const
     tables_ = std::move(tables);
 }
 
-std::size_t FastPoser::paletteSize() const {
-    return tables_->palette.size();
-}
-
-double FastPoser::lengthInSeconds() const {
-    return tables_->length;
-}
-
-void FastPoser::walk() {
-    const int* parents = tables_->parents.data();
-    for (std::size_t i = 0; i < models_.size(); ++i)
-        models_[i] =
-            (parents[i] < 0 ? tables_->root : models_[static_cast<std::size_t>(parents[i])]) * locals_[i];
-}
-
-void FastPoser::pose(double seconds, std::span<JointRows> palette) {
-    assert(palette.size() >= paletteSize());
-    const double time = tables_->timeOf(seconds);
-    for (const ClipTimeline& timeline : tables_->timelines) timeline.sample(time, locals_);
-    walk();
-    const std::size_t count = tables_->palette.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Tables::Entry& entry = tables_->palette[i];
-        store(models_[entry.slot] * entry.toJoint, palette[i]);
+void FastPoser::poseOne(double seconds, std::span<JointRows> palette) {
+    const Tables& tables = *tables_;
+    const double time = tables.timeOf(seconds);
+    for (const ClipTimeline& timeline : tables.timelines) timeline.sample(time, locals_);
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+        const int parent = tables.parents[i];
+        models_[i] = (parent < 0 ? tables.root : models_[static_cast<std::size_t>(parent)]) * locals_[i];
     }
-    if (tables_->placedBy == kNoParent) return;
-    const Rows placed = tables_->placement(models_);
-    for (std::size_t i = 0; i + 1 < count; ++i) store(placed * load(palette[i]), palette[i]);
+    for (std::size_t i = 0; i < palette.size(); ++i)
+        store(models_[tables.palette[i].slot] * tables.palette[i].toJoint, palette[i]);
+    if (tables.placedBy == kNoParent || palette.empty()) return;
+    const auto modelTransform = [&](int slot) { return toMatrix(models_[static_cast<std::size_t>(slot)]); };
+    place(palette.first(palette.size() - 1), skinPlacement(tables, modelTransform));
 }
 
 // While one character is posed, the memory that the next one needs is on its way.
@@ -129,7 +89,7 @@ void FastPoser::pose(std::span<const double> seconds, std::span<JointRows> palet
         if (i + 1 < seconds.size())
             for (const ClipTimeline& timeline : tables_->timelines)
                 timeline.prefetch(tables_->timeOf(seconds[i + 1]));
-        pose(seconds[i], palettes.subspan(i * paletteSize(), paletteSize()));
+        poseOne(seconds[i], palettes.subspan(i * paletteSize(), paletteSize()));
     }
 }
 

@@ -6,42 +6,50 @@
 #include <vector>
 
 #include "animation/Animation.h"
-#include "animation/Float4.h"
+#include "animation/ClipTimeline.h"
 #include "animation/Joint.h"
 #include "animation/JointRows.h"
 #include "animation/Skin.h"
 
 namespace walkcycle {
 
-// Makes the palettes of one clip for one skin: any number of characters that differ in nothing but their time, which is
-// all there is to keep of each. Does what PlainPoser does, with the same results to 1e-6 (of the larger of 1 and the
-// number), some ten times as fast: keys lie in tables (ClipTimeline), four joints are blended at once, transforms are
-// three rows instead of four columns, and joints that do not reach the skin are left out.
-//
-// Copies share the tables. One FastPoser must not be used by two threads at once; each takes a copy (see CrowdPoser).
+// What CrowdPoser has on each of its threads: makes the palettes of one clip for one skin from tables (ClipTimeline). Four
+// joints are blended at once, transforms are three rows instead of four columns, and joints that do not reach the skin
+// are left out. Copies share the tables.
 class FastPoser {
 public:
     // Keeps nothing of its arguments.
     FastPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin);
 
-    std::size_t paletteSize() const;  // Skin::joints.size()
-    double lengthInSeconds() const;
+    std::size_t paletteSize() const { return tables_->palette.size(); }
+    double lengthInSeconds() const { return tables_->length; }
 
-    // The palette (as computePalette makes it) at `seconds` since the clip's start; wraps around the clip's ends, forwards
-    // and backwards. `palette` must have paletteSize() entries. Allocates nothing.
-    void pose(double seconds, std::span<JointRows> palette);
-
-    // One after the other: the palette of seconds[i] begins at palettes[i * paletteSize()], and there must be room for all.
+    // As CrowdPoser::pose. One after the other, allocates nothing.
     void pose(std::span<const double> seconds, std::span<JointRows> palettes);
 
     std::size_t tableBytes() const;  // what all copies share
 
 private:
-    struct Tables;
-    void walk();
+    struct Entry {
+        std::size_t slot = 0;
+        Rows toJoint{};  // mesh space -> joint space
+    };
+    struct Tables {
+        std::vector<ClipTimeline> timelines;
+        std::vector<int> parents;  // per slot
+        std::vector<Rows> rest;    // per slot: the local transform of what does not move
+        Rows root{};
+        std::vector<Entry> palette;
+        int placedBy = kNoParent, placedRelativeTo = kNoParent;  // slots
+        glm::mat4 placedInRoot{1.0f};
+        double start = 0.0, length = 0.0;
+
+        double timeOf(double seconds) const;
+    };
+    void poseOne(double seconds, std::span<JointRows> palette);
 
     std::shared_ptr<const Tables> tables_;
-    std::vector<Rows> locals_, models_;  // of the joints that matter, parents first
+    std::vector<Rows> locals_, models_;  // per slot: of the joints that matter, parents first
 };
 
 }  // namespace walkcycle

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
@@ -18,5 +20,8 @@ struct alignas(16) JointRows {
     }
     glm::mat4 toMatrix() const { return affineFromRows<float>(&rows[0].x); }
 };
+
+// Moves a character, or several, to where they stand: placement * joint, for each joint of the palette.
+void place(std::span<JointRows> palette, const glm::mat4& placement);
 
 }  // namespace walkcycle

@@ -22,12 +22,12 @@ constexpr double kSame = 1e-8;                // less than a float can tell
 struct Lane {
     ExactChannel channel;
     int slot = 0;
-    bool turns = false, moves = false, scales = false;
+    bool rotates = false, moves = false, scales = false;
 
     // Lanes with like needs come to stand in one group.
     int kind() const {
         return (channel.isMatrix() ? 16 : 0) + (channel.isCubic() ? 8 : 0) + (moves ? 4 : 0) +
-               (scales ? 2 : 0) + (turns ? 1 : 0);
+               (scales ? 2 : 0) + (rotates ? 1 : 0);
     }
 };
 
@@ -102,13 +102,13 @@ private:
     // Each row is held against the first, so that nothing drifts away unseen.
     void findChanges(Lane& lane) const {
         if (lane.channel.isMatrix()) return;
-        lane.turns = lane.moves = lane.scales = lane.channel.isCubic();
+        lane.rotates = lane.moves = lane.scales = lane.channel.isCubic();
         if (lane.channel.isCubic()) return;
         const auto first = lane.channel.transformAt(rows_.front().seconds, rows_.front().side);
         for (const RowTime& row : rows_) {
             const auto at = lane.channel.transformAt(row.seconds, row.side);
             const glm::dquat turned = nearest(first.rotation, at.rotation) - first.rotation;
-            lane.turns = lane.turns || std::sqrt(glm::dot(turned, turned)) > kSame;
+            lane.rotates = lane.rotates || std::sqrt(glm::dot(turned, turned)) > kSame;
             lane.moves = lane.moves || differ(at.position, first.position);
             lane.scales = lane.scales || differ(at.scale, first.scale);
         }
@@ -131,17 +131,17 @@ private:
     std::size_t addGroup(std::size_t first) {
         Group group;
         group.isCubic = lanes_[first].channel.isCubic();
-        bool turns = false, moves = false, scales = false;
+        bool rotates = false, moves = false, scales = false;
         std::size_t end = first;
         for (; end < std::min(lanes_.size(), first + kLanes); ++end) {
             const Lane& lane = lanes_[end];
             if (lane.channel.isMatrix() || lane.channel.isCubic() != group.isCubic) break;
-            turns = turns || lane.turns;
+            rotates = rotates || lane.rotates;
             moves = moves || lane.moves;
             scales = scales || lane.scales;
         }
         const std::size_t each = group.isCubic ? 4 : 1;
-        group.rotationAt = place(turns, 4 * each);
+        group.rotationAt = place(rotates, 4 * each);
         group.positionAt = place(moves, 3 * each);
         group.scaleAt = place(scales, 3 * each);
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -167,9 +167,9 @@ private:
         for (std::size_t m = 0; m < timeline_.matrices.size(); ++m) {
             const ExactChannel& channel = lanes_[firstMatrix + m].channel;
             const glm::dmat4 matrix = channel.matrixAt(rows_[row].seconds, rows_[row].side);
-            for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 4; ++c)
-                    numbers[timeline_.matrices[m].at + r][c] = static_cast<float>(matrix[c][r]);
+            const Rows rows = load(JointRows(glm::mat4(matrix)));
+            Float4* into = numbers + timeline_.matrices[m].at;
+            into[0] = rows.x, into[1] = rows.y, into[2] = rows.z;
         }
     }
 
@@ -196,15 +196,10 @@ private:
                    Float4* numbers) const {
         const double begin = rows_[row].seconds;
         const double end = row + 1 < rows_.size() ? rows_[row + 1].seconds : begin;
-        const ExactChannel::Cubics cubics = channel.cubicsBetween(begin, end);
-        const auto store = [&](int place, const auto& curves) {
-            for (const ExactChannel::Cubic& curve : curves)
-                for (const double coefficient : curve)
-                    numbers[place++][static_cast<int>(lane)] = static_cast<float>(coefficient);
-        };
-        store(group.rotationAt, cubics.rotation);
-        store(group.positionAt, cubics.position);
-        store(group.scaleAt, cubics.scale);
+        int place = group.rotationAt;  // position and scale come right behind
+        for (const ExactChannel::Cubic& curve : channel.cubicsBetween(begin, end))
+            for (const double coefficient : curve)
+                numbers[place++][static_cast<int>(lane)] = static_cast<float>(coefficient);
     }
 
     std::span<Lane> lanes_;

@@ -185,16 +185,4 @@ void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes)
     }
 }
 
-void place(std::span<JointRows> palette, const glm::mat4& placement) {
-    const JointRows rows(placement);
-    for (JointRows& joint : palette) {
-        const JointRows here = joint;
-        for (int i = 0; i < 3; ++i) {
-            const glm::vec4& row = rows.rows[i];
-            joint.rows[i] = row.x * here.rows[0] + row.y * here.rows[1] + row.z * here.rows[2] +
-                            glm::vec4(0.0f, 0.0f, 0.0f, row.w);
-        }
-    }
-}
-
 }  // namespace walkcycle

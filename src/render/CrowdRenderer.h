@@ -27,7 +27,7 @@ namespace walkcycle {
 //     renderer.clear(picture);  // an AnimatedModelRenderer's
 //     crowd.draw(model, palettes, camera, picture);
 //
-// A FastPoser or a CrowdPoser makes the palettes of a model with a single skinned mesh much faster. All
+// A CrowdPoser makes the palettes of a model with a single skinned mesh several times as fast. All
 // walkers share the model's materials, lights and morph weights. Transparent walkers are not sorted by
 // distance. Keeps its shaders and work memory, and belongs to the OpenGL context in which it was made.
 class CrowdRenderer {
@@ -56,8 +56,5 @@ std::size_t jointsPerWalker(const Model& model);
 
 // Appends the palette of the model's present pose.
 void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes);
-
-// Moves the palettes of one or more walkers by `placement`.
-void place(std::span<JointRows> palette, const glm::mat4& placement);
 
 }  // namespace walkcycle

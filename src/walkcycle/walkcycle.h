@@ -7,7 +7,6 @@
 
 #include "animation/Animator.h"
 #include "animation/CrowdPoser.h"
-#include "animation/PlainPoser.h"
 #include "io/File.h"
 #include "io/Image.h"
 #include "loaders/ColladaLoader.h"

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "animation/AllocationCount.h"
+#include "animation/FastPoser.h"
 #include "animation/PoserAgreement.h"
 
 namespace walkcycle {
@@ -177,15 +178,15 @@ TEST(FastPoserTest, noTimeIsTooStrange) {
     Keys keys;
     const Skeleton skeleton = smallTree();
     const Animation clip = clipOf({keys.channel(1, evenTimes(5))});
-    FastPoser poser(skeleton, clip, skinOf({1, 0}));
+    CrowdPoser poser(skeleton, clip, skinOf({1, 0}), 1);
     std::vector<JointRows> atStart(2), palette(2);
-    poser.pose(0.0, atStart);
+    poser.poseOne(0.0, atStart);
     for (const double seconds : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-        poser.pose(seconds, palette);
+        poser.poseOne(seconds, palette);
         EXPECT_EQ(difference(palette, atStart), 0.0) << seconds;
     }
     for (const double seconds : {1e300, -1e300, 1e-320}) {
-        poser.pose(seconds, palette);
+        poser.poseOne(seconds, palette);
         EXPECT_TRUE(std::isfinite(palette[0].rows[0].w)) << seconds;
     }
 }
@@ -202,7 +203,7 @@ TEST(FastPoserTest, tablesStayInProportionToTheKeys) {
         channels.push_back(
             keys.channel(joint, joint == 0 ? evenTimes(10'000) : std::vector<double>{1.0, 3.0}));
     }
-    FastPoser poser(skeleton, clipOf(channels), skinOf(joints));
+    const FastPoser poser(skeleton, clipOf(channels), skinOf(joints));
 
     EXPECT_LT(poser.tableBytes(), 12'000u * sizeof(KeyFrame) * 16);
 }
@@ -210,10 +211,10 @@ TEST(FastPoserTest, tablesStayInProportionToTheKeys) {
 TEST(FastPoserTest, posingAllocatesNothing) {
     Keys keys;
     const Skeleton skeleton = smallTree();
-    FastPoser poser(skeleton, clipOf({keys.channel(1, evenTimes(5))}), skinOf({1, 0}));
+    CrowdPoser poser(skeleton, clipOf({keys.channel(1, evenTimes(5))}), skinOf({1, 0}), 1);
     std::vector<JointRows> palette(2);
     const std::size_t before = allocationCount();
-    for (int i = 0; i < 100; ++i) poser.pose(i * 0.1, palette);
+    for (int i = 0; i < 100; ++i) poser.poseOne(i * 0.1, palette);
     EXPECT_EQ(allocationCount(), before);
 }
 

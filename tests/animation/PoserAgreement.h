@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "animation/FastPoser.h"
+#include "animation/CrowdPoser.h"
 #include "animation/PlainPoser.h"
 
 namespace walkcycle {
@@ -32,7 +32,7 @@ inline double sizeOf(const Skin& skin) {
 // Holds the two against each other at a thousand moments of the clip, before it and after it, and at every key.
 inline void expectFastAgreesWithPlain(const Skeleton& skeleton, const Animation& clip, const Skin& skin) {
     PlainPoser plain(skeleton, clip, skin);
-    FastPoser fast(skeleton, clip, skin);
+    CrowdPoser fast(skeleton, clip, skin, 1);
     ASSERT_EQ(fast.paletteSize(), plain.paletteSize());
     EXPECT_EQ(fast.lengthInSeconds(), plain.lengthInSeconds());
     std::vector<double> times;
@@ -46,7 +46,7 @@ inline void expectFastAgreesWithPlain(const Skeleton& skeleton, const Animation&
     double largest = 0.0, at = 0.0;
     for (const double seconds : times) {
         plain.pose(seconds, ofPlain);
-        fast.pose(seconds, ofFast);
+        fast.poseOne(seconds, ofFast);
         const double found = difference(ofFast, ofPlain);
         if (!(found <= largest)) largest = found, at = seconds;
     }

@@ -10,8 +10,8 @@
 
 namespace walkcycle {
 
-// The palettes of one clip for one skin, by way of the Animator: the clear way, and what FastPoser must agree with. The two
-// have the same functions, so that a program chooses by naming the type. What it is given must outlive it.
+// The palettes of one clip for one skin, by way of the Animator: what CrowdPoser must agree with. What it is given must
+// outlive it.
 class PlainPoser {
 public:
     PlainPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin)
@@ -26,11 +26,6 @@ public:
         animator_.setTime(seconds);
         computePalette(*skin_, animator_.modelTransforms(), matrices_);
         for (std::size_t i = 0; i < palette.size(); ++i) palette[i] = JointRows(matrices_[i]);
-    }
-
-    void pose(std::span<const double> seconds, std::span<JointRows> palettes) {
-        for (std::size_t i = 0; i < seconds.size(); ++i)
-            pose(seconds[i], palettes.subspan(i * paletteSize(), paletteSize()));
     }
 
 private:

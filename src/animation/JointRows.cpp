@@ -1,0 +1,12 @@
+#include "animation/JointRows.h"
+
+#include "animation/Float4.h"
+
+namespace walkcycle {
+
+void place(std::span<JointRows> palette, const glm::mat4& placement) {
+    const Rows rows = load(JointRows(placement));
+    for (JointRows& joint : palette) store(rows * load(joint), joint);
+}
+
+}  // namespace walkcycle
