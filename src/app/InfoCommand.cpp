@@ -1,10 +1,13 @@
 #include <memory>
+#include <optional>
 
 #include "app/Commands.h"
 #include "app/ExitCode.h"
 #include "app/InfoText.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
+#include "loaders/Dialect.h"
+#include "loaders/Inspection.h"
 
 namespace walkcycle {
 namespace {
@@ -26,8 +29,12 @@ void declare(InfoOptions& options, Arguments& arguments) {
 int run(const InfoOptions& options) {
     LoadArguments load = options.load;
     load.options.imagePixels = false;  // their sizes are all that is told of pictures
+    std::optional<Dialect> dialect;
+    load.options.inspector = [&](const Inspection& inspection) {
+        dialect = inspection.context.dialects.of(inspection.collada);
+    };
     const Model model = load.load(options.file);
-    printOut(options.json ? infoJson(model) : infoText(model));
+    printOut(options.json ? infoJson(model, *dialect) : infoText(model, load.verbose ? &*dialect : nullptr));
     return kFine;
 }
 
