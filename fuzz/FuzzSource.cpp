@@ -7,6 +7,7 @@
 #include "Require.h"
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/Dialect.h"
 #include "loaders/Source.h"
 
 namespace {
@@ -22,8 +23,8 @@ void check(const std::shared_ptr<const Source<T>>& source) {
         for (const T value : source->values) REQUIRE(std::isfinite(value));
 }
 
-void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics) {
-    SourceReader sources(documents, diagnostics);
+void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects) {
+    SourceReader sources(documents, diagnostics, dialects);
     for (XmlNode node = root; node; node = next(node)) {
         if (node.is("source")) {
             bool isIdref = false;
@@ -44,11 +45,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const LoadOptions options = withoutFiles();
     Diagnostics diagnostics;
     DocumentSet documents(options, diagnostics);
+    Dialects dialects(options, diagnostics);
     try {
         readAll(documents
                     .openMemory({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "fuzz.dae")
                     .root(),
-                documents, diagnostics);
+                documents, diagnostics, dialects);
     } catch (const LoadError&) {  // no document
     }
     return 0;

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 
 #include "app/Commands.h"
 #include "app/ExitCode.h"
@@ -6,6 +7,8 @@
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
 #include "app/SharedOptions.h"
+#include "loaders/Dialect.h"
+#include "loaders/Inspection.h"
 
 namespace walkcycle {
 namespace {
@@ -26,8 +29,12 @@ void declare(InfoOptions& options, Arguments& arguments) {
 int run(const InfoOptions& options) {
     LoadArguments load = options.load;
     load.options.imagePixels = false;  // of pictures, only the sizes are printed
+    std::optional<Dialect> dialect;
+    load.options.inspector = [&](const Inspection& inspection) {
+        dialect = inspection.context.dialects.of(inspection.collada);
+    };
     const Model model = load.load(options.file);
-    printOut(options.json ? infoJson(model) : infoText(model));
+    printOut(options.json ? infoJson(model, *dialect) : infoText(model, load.verbose ? &*dialect : nullptr));
     return kFine;
 }
 

@@ -89,9 +89,19 @@ Json lights(const Model& model, const std::vector<std::string>& keys) {
     return list;
 }
 
+Json quirks(const Dialect& dialect) {
+    Json list = Json::array();
+    for (const QuirkInfo& quirk : kQuirks)
+        list.push_back({{"name", quirk.name},
+                        {"on", dialect.follows(quirk.quirk)},
+                        {"why", dialect.why(quirk.quirk)},
+                        {"used", dialect.isUsed(quirk.quirk)}});
+    return list;
+}
+
 }  // namespace
 
-std::string infoJson(const Model& model) {
+std::string infoJson(const Model& model, const Dialect& dialect) {
     const ModelFacts facts = factsOf(model);
     const std::vector<std::string> keys = jointKeys(model.skeleton);
     Json joints = Json::array();
@@ -100,6 +110,8 @@ std::string infoJson(const Model& model) {
     const Json json = {{"file", model.file},
                        {"version", model.asset.version},
                        {"authoringTool", model.asset.authoringTool},
+                       {"dialect", exporterText(dialect.exporter())},
+                       {"quirks", quirks(dialect)},
                        {"upAxis", nameOf(model.asset.upAxis)},
                        {"unit", {{"name", model.asset.unitName}, {"meters", model.asset.metersPerUnit}}},
                        {"scene", model.sceneId},

@@ -85,13 +85,30 @@ std::string sizeLine(const Model& model) {
            " at rest (width, height, depth)";
 }
 
+std::string quirkLine(const QuirkInfo& quirk, const Dialect& dialect) {
+    return std::string(quirk.name) + ": " + (dialect.follows(quirk.quirk) ? "on, " : "off, ") +
+           dialect.why(quirk.quirk) + (dialect.isUsed(quirk.quirk) ? "; it is used here" : "");
+}
+
+void addDialect(const Dialect& dialect, Page& page) {
+    const std::string exporter = exporterText(dialect.exporter());
+    page.add("dialect", exporter.empty() ? "of no exporter that is known" : exporter);
+    for (const QuirkInfo& quirk : kQuirks) page.add("quirks", quirkLine(quirk, dialect));
+}
+
 }  // namespace
 
-std::string infoText(const Model& model) {
+std::string exporterText(const Exporter& exporter) {
+    if (exporter.tool == Tool::Unknown) return {};
+    return std::string(nameOf(exporter.tool)) + (exporter.version ? " " + textOf(*exporter.version) : "");
+}
+
+std::string infoText(const Model& model, const Dialect* dialect) {
     const ModelFacts facts = factsOf(model);
     Page page(model.file);
     page.add("format", "COLLADA " + model.asset.version);
     page.add("made by", model.asset.authoringTool.empty() ? "(unknown)" : model.asset.authoringTool);
+    if (dialect) addDialect(*dialect, page);
     page.add("axes", std::string(nameOf(model.asset.upAxis)) + " up");
     page.add("unit", quoted(model.asset.unitName) + ", " + formatNumber(model.asset.metersPerUnit) + " m");
     page.add("scene", quoted(model.sceneId) + ": " + plural(model.skeleton.joints.size(), "node") + ", " +

@@ -6,6 +6,7 @@
 #include "app/Numbers.h"
 #include "loaders/ColladaLoader.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/Dialect.h"
 
 namespace walkcycle {
 namespace {
@@ -42,6 +43,22 @@ void setLimit(const std::string& text, LoadLimits& limits) {
     limits.*limit->value = value;
 }
 
+std::string quirkNames() {
+    std::string names;
+    for (const QuirkInfo& quirk : kQuirks) names += (names.empty() ? "" : ", ") + std::string(quirk.name);
+    return names;
+}
+
+void setQuirk(const std::string& text, std::map<std::string, bool>& quirks) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals);
+    if (!findQuirk(name)) throw UsageError("--quirk: " + unknownQuirk(name) + "; there are " + quirkNames());
+    const std::string choice = text.substr(std::min(equals + 1, text.size()));
+    if (choice != "on" && choice != "off")
+        throw UsageError("--quirk: say " + name + "=on or " + name + "=off, not '" + text + "'");
+    quirks[name] = choice == "on";
+}
+
 }  // namespace
 
 void LoadArguments::declare(Arguments& arguments) {
@@ -62,6 +79,10 @@ void LoadArguments::declare(Arguments& arguments) {
     arguments.choiceOf<SkinNode>(
         "--skin-node", {{"auto", SkinNode::Auto}, {"apply", SkinNode::Apply}, {"ignore", SkinNode::Ignore}},
         "Whether the node of a skin moves it, in addition to the skin's joints", options.skinNode);
+    arguments.eachOption("--quirk", "NAME=on|off",
+                         "Read the file with or without this quirk of exporters, whatever tool wrote it "
+                         "(info --verbose lists them)",
+                         [this](const std::string& text) { setQuirk(text, options.quirks); });
     arguments.option(
         "--tolerance", "SHARE", "The largest error of the key frames, as a share of the model's size (1e-4)",
         [this](const std::string& text) { options.tolerance = parsePositive(text, "--tolerance"); });

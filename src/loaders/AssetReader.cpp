@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "loaders/Dialect.h"
 #include "loaders/NumberParser.h"
 
 namespace walkcycle {
@@ -56,7 +57,7 @@ Asset readAsset(XmlNode collada, const LoadContext& context) {
     Asset asset;
     asset.version = collada.attribute("version");
     const XmlNode element = collada.child("asset");
-    asset.authoringTool = element.child("contributor").child("authoring_tool").text();
+    asset.authoringTool = context.dialects.of(collada).authoringTool();
     if (const XmlNode unit = element.child("unit")) {
         if (!unit.attribute("name").empty()) asset.unitName = unit.attribute("name");
         const std::optional<double> meters = unit.has("meter") ? parseUnit(unit) : 1.0;

@@ -7,6 +7,7 @@
 #include "loaders/AnimationLoader.h"
 #include "loaders/AssetReader.h"
 #include "loaders/ControllerLoader.h"
+#include "loaders/Dialect.h"
 #include "loaders/Inspection.h"
 #include "loaders/KnownElements.h"
 #include "loaders/MaterialLoader.h"
@@ -130,9 +131,10 @@ template <typename Open>
 Model load(const std::string& file, const LoadOptions& options, Open open) {
     Diagnostics diagnostics(options.limits.maxMessages);
     DocumentSet documents(options, diagnostics);
-    SourceReader sources(documents, diagnostics);
+    Dialects dialects(options, diagnostics);
+    SourceReader sources(documents, diagnostics, dialects);
     PicturesAhead ahead;
-    const LoadContext context{options, diagnostics, documents, sources, &ahead};
+    const LoadContext context{options, diagnostics, documents, sources, dialects, &ahead};
     Model model;
     model.file = file;
     const XmlNode collada = open(documents).root();

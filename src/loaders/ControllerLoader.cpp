@@ -77,7 +77,7 @@ bool ControllerLoader::skin(XmlNode controller, XmlNode geometry, const SceneGra
     context_.require(boundJoints_, &LoadLimits::maxSkinJoints, source.element);
     deformer.index = static_cast<int>(model_.skins.size());
     deformer.influences = data.influences;
-    model_.skins.push_back(bindSkin(data, source, joints_, skeletons_.scene(), context_, model_.asset));
+    model_.skins.push_back(bindSkin(data, source, joints_, skeletons_.scene(), context_));
     return true;
 }
 

@@ -5,9 +5,11 @@
 #include <limits>
 
 #include "loaders/BumpMap.h"
-#include "loaders/ExporterQuirks.h"
+#include "loaders/Dialect.h"
+#include "loaders/Extras.h"
 #include "loaders/NumberParser.h"
 #include "loaders/Spelling.h"
+#include "loaders/TransparencyQuirk.h"
 
 namespace walkcycle {
 namespace {
@@ -193,13 +195,14 @@ const Image* EffectReader::imageOf(const Material& material, Slot slot) const {
     return texture < 0 ? nullptr : model_.textures[static_cast<std::size_t>(texture)].image.get();
 }
 
-// What the format has no words for, exporters say in <extra>: under which profile differs, the words do not.
 void EffectReader::readExtras(XmlNode element, const EffectParameters& parameters, Material& material) {
-    for (XmlNode extra : element.children("extra")) {
-        for (XmlNode technique : extra.children("technique")) {
-            if (isTrue(technique.child("double_sided"))) material.doubleSided = true;
-            if (const XmlNode bump = technique.child("bump")) readBump(bump, parameters, material);
-        }
+    for (XmlNode technique : extraTechniques(element)) {
+        const XmlNode bump = technique.child("bump");
+        if (bump && context_.dialects.follows(Quirk::ExtraBump, bump)) readBump(bump, parameters, material);
+        if (!isTrue(technique.child("double_sided"))) continue;
+        if (!context_.dialects.follows(Quirk::ExtraDoubleSided, technique)) continue;
+        material.doubleSided = true;
+        context_.dialects.note(Quirk::ExtraDoubleSided, technique);
     }
 }
 
@@ -207,6 +210,7 @@ void EffectReader::readBump(XmlNode bump, const EffectParameters& parameters, Ma
     const XmlNode texture = bump.child("texture");
     if (!texture || material.slot(Slot::Bump).present) return;
     material.slot(Slot::Bump).present = true;
+    context_.dialects.note(Quirk::ExtraBump, bump);
     readTexture(texture, Slot::Bump, parameters, material);
     const std::string_view kind = bump.attribute("bumptype");
     const Image* image = imageOf(material, Slot::Bump);
@@ -230,7 +234,7 @@ void EffectReader::readOpaque(XmlNode transparent, Material& material) {
 
 void EffectReader::settleTransparency(XmlNode shader, XmlNode effect, Material& material) {
     if (const XmlNode transparency = shader.child("transparency"))
-        correctTransparency(model_.asset, transparency, effect.id(), context_.diagnostics, material);
+        correctTransparency(transparency, effect.id(), context_, material);
     const ColorOrTexture& transparent = material.slot(Slot::Transparent);
     material.transparent = opacity(material, transparent.color) < 1.0f;
     const Image* image = imageOf(material, Slot::Transparent);

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "loaders/Dialect.h"
+#include "loaders/Extras.h"
 #include "loaders/MeshBuilder.h"
 #include "loaders/NumberParser.h"
 #include "loaders/PrimitiveReader.h"
@@ -38,14 +40,15 @@ XmlNode findMesh(XmlNode geometry, const LoadContext& context, int hulls = 0) {
     return {};
 }
 
-// Maya and 3ds Max say so in an <extra> of the geometry.
-bool isDoubleSided(XmlNode geometry, XmlNode mesh) {
+bool isDoubleSided(XmlNode geometry, XmlNode mesh, Dialects& dialects) {
+    if (!dialects.follows(Quirk::ExtraDoubleSided, geometry)) return false;
     for (const XmlNode owner : {geometry, mesh})
-        for (XmlNode extra : owner.children("extra"))
-            for (XmlNode technique : extra.children("technique")) {
-                double value = 0.0;
-                if (parseNumber(technique.child("double_sided").text(), value) && value != 0.0) return true;
-            }
+        for (XmlNode technique : extraTechniques(owner)) {
+            double value = 0.0;
+            if (!parseNumber(technique.child("double_sided").text(), value) || value == 0.0) continue;
+            dialects.note(Quirk::ExtraDoubleSided, technique);
+            return true;
+        }
     return false;
 }
 
@@ -69,7 +72,7 @@ LoadedMesh loadGeometry(XmlNode geometry, const LoadContext& context) {
     loaded.mesh.name = geometry.attribute("name");
     const XmlNode mesh = findMesh(geometry, context);
     if (!mesh) return loaded;
-    loaded.mesh.doubleSided = isDoubleSided(geometry, mesh);
+    loaded.mesh.doubleSided = isDoubleSided(geometry, mesh, context.dialects);
 
     Vertices vertices;
     if (const XmlNode element = mesh.child("vertices"))

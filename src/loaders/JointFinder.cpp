@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "loaders/Dialect.h"
+
 namespace walkcycle {
 
 // The keys are views into the documents' attributes, which outlive the load.
@@ -59,12 +61,20 @@ int JointFinder::pick(const Index& index, std::string_view name, const std::vect
     return best;
 }
 
-int JointFinder::pickAnywhere(std::string_view name, bool isId, const std::vector<int>& roots, int node) {
+int JointFinder::pickAnywhere(std::string_view name, bool isId, const std::vector<int>& roots, int node,
+                              XmlNode from) {
     indexNewJoints();
     const std::vector<int> everywhere;
+    const Index* const meant = isId ? &byId_ : &bySid_;
+    const Index* const inOrder[] = {meant, isId ? &bySid_ : &byId_, &byName_};
     for (const std::vector<int>& below : {roots, everywhere}) {
-        for (const Index* index : {isId ? &byId_ : &bySid_, isId ? &bySid_ : &byId_, &byName_})
-            if (const int joint = pick(*index, name, below, node); joint != kNoParent) return joint;
+        for (const Index* index : inOrder) {
+            if (index != meant && !context_.dialects.follows(Quirk::JointsByAnyName, from)) break;
+            const int joint = pick(*index, name, below, node);
+            if (joint == kNoParent) continue;
+            if (index != meant) context_.dialects.note(Quirk::JointsByAnyName, from);
+            return joint;
+        }
     }
     return kNoParent;
 }
@@ -104,9 +114,12 @@ std::vector<int> JointFinder::skeletonRoots(XmlNode instanceController) {
 
 int JointFinder::find(std::string_view name, bool isId, const std::vector<int>& roots, int node,
                       XmlNode from) {
-    if (const int joint = pickAnywhere(name, isId, roots, node); joint != kNoParent) return joint;
+    if (const int joint = pickAnywhere(name, isId, roots, node, from); joint != kNoParent) return joint;
+    if (!isId && !context_.dialects.follows(Quirk::JointsByAnyName, from)) return kNoParent;
     const XmlNode element = context_.documents.resolve(from, "#" + std::string(name));
-    return element.is("node") ? occurrence(element, node) : kNoParent;
+    if (!element.is("node")) return kNoParent;
+    if (!isId) context_.dialects.note(Quirk::JointsByAnyName, from);
+    return occurrence(element, node);
 }
 
 }  // namespace walkcycle

@@ -11,8 +11,8 @@
 namespace walkcycle {
 
 // Finds the joints that skins name. COLLADA 1.4.1, <joints> and <skeleton>: names of a Name_array are sids, looked for
-// below the skeleton's roots; those of an IDREF_array are ids. As a courtesy an id or a name will do, and joints that
-// no scene shows are fetched from <library_nodes>.
+// below the skeleton's roots; those of an IDREF_array are ids. The quirk joints-by-any-name lets an id or a name do.
+// Joints that no scene shows are fetched from <library_nodes>.
 class JointFinder {
 public:
     JointFinder(const LoadContext& context, SkeletonLoader& skeletons)
@@ -31,7 +31,7 @@ private:
     using Index = std::unordered_map<std::string_view, std::vector<int>>;
     void indexNewJoints();
     int pick(const Index& index, std::string_view name, const std::vector<int>& roots, int node) const;
-    int pickAnywhere(std::string_view name, bool isId, const std::vector<int>& roots, int node);
+    int pickAnywhere(std::string_view name, bool isId, const std::vector<int>& roots, int node, XmlNode from);
     bool isBelow(int joint, const std::vector<int>& roots) const;
     int occurrence(XmlNode element, int node);
     int depth(int joint) const;

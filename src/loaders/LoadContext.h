@@ -7,6 +7,7 @@
 
 namespace walkcycle {
 
+class Dialects;
 class PicturesAhead;
 
 // What every loader of one load shares.
@@ -15,6 +16,7 @@ struct LoadContext {
     Diagnostics& diagnostics;
     DocumentSet& documents;
     SourceReader& sources;
+    Dialects& dialects;              // which quirks of exporters the documents are read with
     PicturesAhead* ahead = nullptr;  // where pictures are decoded while meshes are read
 
     // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).

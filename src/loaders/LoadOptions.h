@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace walkcycle {
 
 struct Inspection;
 
-// Whether an instance_controller's node moves its skin (see docs/collada-notes.md).
+// Whether an instance_controller's node moves its skin: the quirk skin-by-node, as the document's tool decides, on or off.
 enum class SkinNode { Auto, Apply, Ignore };
 
 // Reads another file that a document refers to: given the path as resolved against the document's own, gives its
@@ -26,6 +27,9 @@ struct LoadOptions {
     std::optional<UpAxis> upAxis;         // instead of the document's own
     std::optional<double> metersPerUnit;  // instead of the document's own
     SkinNode skinNode = SkinNode::Auto;
+    // Quirks of exporters by name, on (true) or off, instead of what the document's tool says. Goes before skinNode.
+    // docs/collada-notes.md lists them; std::invalid_argument where one is not there.
+    std::map<std::string, bool> quirks;
     std::string scene;    // the visual_scene to show, by id or name; empty: the one that <scene> names
     std::string texture;  // a picture to use for every diffuse texture
     std::vector<std::string> allowedPaths;  // folders outside the document's own that may be read

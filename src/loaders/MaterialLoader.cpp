@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "loaders/Dialect.h"
 #include "loaders/EffectReader.h"
 #include "loaders/Tangents.h"
 #include "loaders/TexCoordBinding.h"
@@ -36,6 +37,7 @@ struct MaterialLoader::Impl {
     int read(XmlNode material);
     int bound(XmlNode binding);
     int guess(XmlNode instance, const MeshPart& part, const MeshData& mesh);
+    XmlNode named(const ColladaDocument& document, std::string_view symbol);
 };
 
 int MaterialLoader::Impl::load(XmlNode material) {
@@ -79,23 +81,29 @@ int MaterialLoader::Impl::bound(XmlNode binding) {
     return -1;
 }
 
-// Parts without a symbol ask for no material; the others may mean the one of that id or name.
+XmlNode MaterialLoader::Impl::named(const ColladaDocument& document, std::string_view symbol) {
+    if (const XmlNode material = document.byId(symbol); material.is("material")) return material;
+    const auto [entry, isNew] = materialsByName.try_emplace(&document);
+    if (isNew)
+        for (XmlNode library : document.root().children("library_materials"))
+            for (XmlNode known : library.children("material"))
+                entry->second.try_emplace(known.attribute("name"), known);
+    const auto found = entry->second.find(symbol);
+    return found == entry->second.end() ? XmlNode() : found->second;
+}
+
+// Parts without a symbol ask for no material.
 int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const MeshData& mesh) {
     if (part.materialSymbol.empty()) return -1;
-    const ColladaDocument& document = instance.document();
-    XmlNode material = document.byId(part.materialSymbol);
-    if (!material.is("material")) {
-        const auto [entry, isNew] = materialsByName.try_emplace(&document);
-        if (isNew)
-            for (XmlNode library : document.root().children("library_materials"))
-                for (XmlNode known : library.children("material"))
-                    entry->second.try_emplace(known.attribute("name"), known);
-        const auto found = entry->second.find(part.materialSymbol);
-        material = found == entry->second.end() ? XmlNode() : found->second;
+    const bool follows = context.dialects.follows(Quirk::MaterialBySymbol, instance);
+    const XmlNode material = follows ? named(instance.document(), part.materialSymbol) : XmlNode();
+    if (!material) {
+        context.diagnostics.report(Code::MaterialUnbound, instance, {part.materialSymbol, mesh.id});
+        return -1;
     }
-    const Code code = material ? Code::MaterialGuessed : Code::MaterialUnbound;
-    context.diagnostics.report(code, instance, {part.materialSymbol, mesh.id});
-    return material ? load(material) : -1;
+    context.diagnostics.report(Code::MaterialGuessed, instance, {part.materialSymbol, mesh.id});
+    context.dialects.note(Quirk::MaterialBySymbol, instance);
+    return load(material);
 }
 
 MaterialLoader::MaterialLoader(const LoadContext& context, Model& model)
@@ -114,8 +122,7 @@ std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData&
         bound.texCoordSets.fill(-1);
         if (bound.material >= 0) {
             const Material& material = impl_->model.materials[static_cast<std::size_t>(bound.material)];
-            bindTexCoords(material, binding ? binding : instance, mesh, part, impl_->context.diagnostics,
-                          bound);
+            bindTexCoords(material, binding ? binding : instance, mesh, part, impl_->context, bound);
         }
         result.push_back(bound);
     }

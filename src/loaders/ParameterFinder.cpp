@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "loaders/Dialect.h"
+
 namespace walkcycle {
 
 namespace {
@@ -83,14 +85,17 @@ std::vector<std::vector<int>> ParameterFinder::find(const ChannelTarget& target)
     return visibility(element);
 }
 
-// Named by the array, its <source>, or the controller; what follows the controller's id differs between exporters
-// and can only mean its weights.
+// Named by the array, its <source>, or the controller.
 std::vector<std::vector<int>> ParameterFinder::morphWeights(const ChannelTarget& target) {
     auto morph = targets_.morphs.end();
-    for (XmlNode node = target.element ? target.element : target.root; node && morph == targets_.morphs.end();
-         node = node.parent())
+    const XmlNode named = target.element ? target.element : target.root;
+    for (XmlNode node = named; node && morph == targets_.morphs.end(); node = node.parent())
         morph = targets_.morphs.find(node);
     if (morph == targets_.morphs.end()) return {};
+    if (!target.element) {
+        if (!context_.dialects.follows(Quirk::MorphWeightsByController, named)) return {};
+        context_.dialects.note(Quirk::MorphWeightsByController, named);
+    }
     const MorphTargets& morphTargets = model_.morphs[static_cast<std::size_t>(morph->second)];
     std::vector<int> weights;
     for (std::size_t i = 0; i < morphTargets.targets.size(); ++i)
@@ -125,6 +130,7 @@ std::vector<std::vector<int>> ParameterFinder::visibility(XmlNode element) {
     std::vector<std::vector<int>> found;
     const XmlNode node = enclosing(element, "node");
     if (!element.is("visibility") || !node) return found;
+    if (!context_.dialects.follows(Quirk::ExtraVisibility, element)) return found;
     const auto [first, last] = scene_.occurrences.equal_range(node);
     for (auto joint = first; joint != last; ++joint) {
         const bool visible = model_.nodeVisible[static_cast<std::size_t>(joint->second)];

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "loaders/Dialect.h"
 #include "loaders/Source.h"
 
 namespace walkcycle {
@@ -24,7 +25,7 @@ std::optional<Interpolation> interpolationNamed(std::string_view name) {
     return std::nullopt;
 }
 
-// By the names of Maya and FCollada, and by those of COLLADA 1.5's pre_behavior.
+// By the words of COLLADA 1.5's pre_behavior, and of the quirk extra-infinity.
 Infinity infinityNamed(std::string_view name) {
     if (name == "LINEAR" || name == "GRADIENT") return Infinity::Linear;
     if (name == "CYCLE") return Infinity::Cycle;
@@ -33,12 +34,19 @@ Infinity infinityNamed(std::string_view name) {
     return Infinity::Constant;
 }
 
-// Exporters write it into a <technique> of the INPUT source (or its <extra>), or into the sampler's <extra>.
-Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const char* attribute) {
+// COLLADA 1.5 has an attribute for it. The quirk extra-infinity: a <technique> of the INPUT source, or an <extra> of
+// that source or the sampler.
+Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const char* attribute,
+                    Dialects& dialects) {
     if (sampler.has(attribute)) return infinityNamed(sampler.attribute(attribute));
+    if (!dialects.follows(Quirk::ExtraInfinity, sampler)) return Infinity::Constant;
     for (XmlNode holder : {input, input.child("extra"), sampler.child("extra")})
         for (XmlNode technique : holder.children("technique"))
-            if (XmlNode found = technique.child(element)) return infinityNamed(found.text());
+            if (XmlNode found = technique.child(element)) {
+                const Infinity infinity = infinityNamed(found.text());
+                if (infinity != Infinity::Constant) dialects.note(Quirk::ExtraInfinity, found);
+                return infinity;
+            }
     return Infinity::Constant;
 }
 
@@ -58,22 +66,24 @@ bool needsTangents(Interpolation i) {
     return i == Interpolation::Bezier || i == Interpolation::Hermite;
 }
 
-// Numbers per key. Some exporters forget the stride and count each number of a matrix or vector as an entry.
-std::size_t widthOf(const DoubleSource& source, std::size_t keyCount) {
+// Numbers per key: the source's width, or what the quirk forgotten-stride makes of it.
+std::size_t widthOf(const DoubleSource& source, std::size_t keyCount, const LoadContext& context) {
     assert(keyCount > 0);
     const std::size_t perKey = source.values.size() / keyCount;
-    const bool forgotten = source.width == 1 && source.values.size() % keyCount == 0;
-    return forgotten && (perKey == 3 || perKey == 4 || perKey == 16) ? perKey : source.width;
+    const bool isForgotten = source.width == 1 && source.values.size() % keyCount == 0 &&
+                             (perKey == 3 || perKey == 4 || perKey == 16);
+    if (!isForgotten || !context.dialects.follows(Quirk::ForgottenStride, source.element))
+        return source.width;
+    context.diagnostics.report(Severity::Info, Code::SourceWidth, source.element,
+                               {"OUTPUT", std::to_string(source.width), std::to_string(perKey)});
+    context.dialects.note(Quirk::ForgottenStride, source.element);
+    return perKey;
 }
 
-// Of wider times the first number counts; a stride that was forgotten is made up for.
-void checkWidths(const DoubleSource& times, const DoubleSource& values, std::size_t width,
-                 Diagnostics& diagnostics) {
+// The first number of an entry is the time.
+void checkTimes(const DoubleSource& times, Diagnostics& diagnostics) {
     if (times.width != 1)
         diagnostics.report(Code::SourceWidth, times.element, {"INPUT", std::to_string(times.width), "1"});
-    if (width != values.width)
-        diagnostics.report(Severity::Info, Code::SourceWidth, values.element,
-                           {"OUTPUT", std::to_string(values.width), std::to_string(width)});
 }
 
 // Keeps the keys that `order` names, in that order.
@@ -104,15 +114,19 @@ int SamplerReader::read(XmlNode sampler) {
     if (readKeys(sampler, keys)) {
         index = static_cast<int>(curves_.size());
         curves_.push_back(makeCurve(std::move(keys)));
-        for (XmlNode input : sampler.children("input"))
-            if (input.attribute("semantic") == "INPUT") {
-                const XmlNode source = context_.documents.resolve(input, input.attribute("source"));
-                curves_.back().before = infinityOf(sampler, source, "pre_infinity", "pre_behavior");
-                curves_.back().after = infinityOf(sampler, source, "post_infinity", "post_behavior");
-            }
+        readInfinity(sampler, curves_.back());
     }
     read_.emplace(sampler, index);
     return index;
+}
+
+void SamplerReader::readInfinity(XmlNode sampler, Curve& curve) {
+    for (XmlNode input : sampler.children("input")) {
+        if (input.attribute("semantic") != "INPUT") continue;
+        const XmlNode source = context_.documents.resolve(input, input.attribute("source"));
+        curve.before = infinityOf(sampler, source, "pre_infinity", "pre_behavior", context_.dialects);
+        curve.after = infinityOf(sampler, source, "post_infinity", "post_behavior", context_.dialects);
+    }
 }
 
 bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
@@ -140,8 +154,8 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
                                     {samplerName(sampler), times && times->count() ? "OUTPUT" : "INPUT"});
         return false;
     }
-    keys.width = widthOf(*values, times->count());
-    checkWidths(*times, *values, keys.width, context_.diagnostics);
+    checkTimes(*times, context_.diagnostics);
+    keys.width = widthOf(*values, times->count(), context_);
     const std::size_t valueCount = values->values.size() / keys.width;
     if (times->count() != valueCount)
         context_.diagnostics.report(
@@ -190,8 +204,11 @@ void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outS
     const auto out = outSource ? context_.sources.doubles(outSource, Numbers::Warning) : nullptr;
     const std::size_t count = keys.times.size();
     const std::size_t perKey = in ? in->values.size() / count : 0;
-    if (in && out && tangentsFit(perKey, keys.width) && in->values.size() == perKey * count &&
-        out->values.size() == in->values.size()) {
+    const bool isSingle = perKey == keys.width;
+    const bool fits = isSingle ? context_.dialects.follows(Quirk::SingleNumberTangents, sampler)
+                               : tangentsFit(perKey, keys.width);
+    if (in && out && fits && in->values.size() == perKey * count && out->values.size() == in->values.size()) {
+        if (isSingle) context_.dialects.note(Quirk::SingleNumberTangents, inSource);
         keys.tangentWidth = perKey;
         keys.inTangents = in->values;
         keys.outTangents = out->values;

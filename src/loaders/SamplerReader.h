@@ -21,6 +21,7 @@ public:
 
 private:
     bool readKeys(XmlNode sampler, CurveKeys& keys);
+    void readInfinity(XmlNode sampler, Curve& curve);
     void readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys);
     void readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys);
     void mendTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys);

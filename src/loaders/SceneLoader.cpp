@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "loaders/Dialect.h"
+#include "loaders/Extras.h"
 #include "loaders/NumberParser.h"
 
 namespace walkcycle {
@@ -74,8 +76,7 @@ bool readKind(XmlNode technique, LightKind& kind, XmlNode& element) {
     return false;
 }
 
-// FCollada's exporters keep the light's intensity apart from its colour, in <extra>, and multiply colour by it in
-// <technique_common> already: it is read for `info` and animation, not applied again.
+// An <intensity> that stands in <extra> is not read: the <color> has been multiplied by it already.
 std::optional<SceneLight> readLight(XmlNode light, const LoadContext& context) {
     SceneLight result;
     result.id = light.id();
@@ -164,10 +165,13 @@ void loadLights(const SceneGraph& scene, const LoadContext& context, Model& mode
 void loadVisibility(const SceneGraph& scene, const LoadContext& context, Model& model) {
     model.nodeVisible.assign(scene.nodes.size(), true);
     for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-        for (XmlNode extra : scene.nodes[i].children("extra"))
-            for (XmlNode technique : extra.children("technique"))
-                if (number(technique.child("visibility"), context).value_or(1.0) == 0.0)
-                    model.nodeVisible[i] = false;
+        for (XmlNode technique : extraTechniques(scene.nodes[i])) {
+            const XmlNode visibility = technique.child("visibility");
+            if (!visibility || !context.dialects.follows(Quirk::ExtraVisibility, visibility)) continue;
+            if (number(visibility, context).value_or(1.0) != 0.0) continue;
+            model.nodeVisible[i] = false;
+            context.dialects.note(Quirk::ExtraVisibility, visibility);
+        }
 }
 
 }  // namespace walkcycle

@@ -16,7 +16,7 @@ void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& mod
                  AnimationTargets& targets);
 void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model, AnimationTargets& targets);
 
-// Model::nodeVisible: all but the nodes that their <extra> hides, as FCollada's <visibility> does (Maya and 3ds Max).
+// Model::nodeVisible: all but the nodes that the quirk extra-visibility hides.
 // What hangs below a hidden node is not shown either.
 void loadVisibility(const SceneGraph& scene, const LoadContext& context, Model& model);
 

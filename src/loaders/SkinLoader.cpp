@@ -7,8 +7,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "animation/RowMajor.h"
+#include "loaders/Dialect.h"
 #include "loaders/NumberParser.h"
-#include "loaders/SkinNodeQuirk.h"
 #include "loaders/WeightsReader.h"
 
 namespace walkcycle {
@@ -93,12 +93,13 @@ glm::mat4 restInverseBind(const SceneGraph& scene, int joint) {
     return std::abs(glm::determinant(world)) > 1e-30 ? glm::mat4(glm::inverse(world)) : glm::mat4(1.0f);
 }
 
-void placeByNode(const SceneGraph::Instance& instance, int ancestor, const Asset& asset,
-                 const LoadContext& context, Skin& skin) {
+void placeByNode(const SceneGraph::Instance& instance, int ancestor, const LoadContext& context, Skin& skin) {
     skin.placedBy = instance.node;
     skin.placedRelativeTo = ancestor;
     const std::string node(instance.element.parent().attribute("name"));
-    context.diagnostics.report(Code::SkinNodeApplied, instance.element, {node, asset.authoringTool});
+    context.diagnostics.report(Code::SkinNodeApplied, instance.element,
+                               {node, context.dialects.of(instance.element).authoringTool()});
+    context.dialects.note(Quirk::SkinByNode, instance.element);
 }
 
 }  // namespace
@@ -133,7 +134,7 @@ bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& contex
 }
 
 Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints,
-              SceneGraph& scene, const LoadContext& context, const Asset& asset) {
+              SceneGraph& scene, const LoadContext& context) {
     Skin skin;
     const std::vector<int> roots = joints.skeletonRoots(instance.element);
     int shared = instance.node, missing = 0;
@@ -157,8 +158,8 @@ Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointF
     }
     skin.joints.push_back(instance.node);
     skin.bindMatrices.push_back(data.bindShapeMatrix);
-    if (nodePlacesSkin(asset.authoringTool, context.options.skinNode) && shared != instance.node)
-        placeByNode(instance, shared, asset, context, skin);
+    if (shared != instance.node && context.dialects.follows(Quirk::SkinByNode, instance.element))
+        placeByNode(instance, shared, context, skin);
     return skin;
 }
 

@@ -24,6 +24,6 @@ bool loadSkin(XmlNode skin, std::size_t positionCount, const LoadContext& contex
 
 // Binds it: which occurrences of which nodes are its joints when it hangs on `node`.
 Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointFinder& joints,
-              SceneGraph& scene, const LoadContext& context, const Asset& asset);
+              SceneGraph& scene, const LoadContext& context);
 
 }  // namespace walkcycle

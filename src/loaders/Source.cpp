@@ -6,6 +6,7 @@
 
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/Dialect.h"
 #include "loaders/NumberParser.h"
 #include "loaders/SpacedNames.h"
 
@@ -174,13 +175,17 @@ bool isNameArray(std::string_view name) {
     return name == "Name_array" || name == "IDREF_array" || name == "SIDREF_array" || name == "token_array";
 }
 
-std::vector<std::string> readNames(XmlNode array) {
+std::vector<std::string> readNames(XmlNode array, Dialects& dialects) {
     std::string joined;
     const std::vector<std::string_view> words = splitWords(array.rawText(joined));
     std::uint64_t count = 0;
-    if (array.is("Name_array") && parseUnsigned(array.attribute("count"), count) && count < words.size())
-        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.document().root()))
+    const bool hasMore =
+        array.is("Name_array") && parseUnsigned(array.attribute("count"), count) && count < words.size();
+    if (hasMore && dialects.follows(Quirk::SpacedNames, array))
+        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.document().root())) {
+            dialects.note(Quirk::SpacedNames, array);
             return std::move(*names);
+        }
     return {words.begin(), words.end()};
 }
 
@@ -189,6 +194,7 @@ std::vector<std::string> readNames(XmlNode array) {
 struct SourceReader::Impl {
     DocumentSet& documents;
     Diagnostics& diagnostics;
+    Dialects& dialects;
     std::unordered_map<XmlNode, std::shared_ptr<const FloatSource>> floats;
     std::unordered_map<XmlNode, std::shared_ptr<const DoubleSource>> doubles;
     std::unordered_map<XmlNode, std::shared_ptr<const NameSource>> names;
@@ -224,8 +230,8 @@ struct SourceReader::Impl {
     }
 };
 
-SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics)
-    : impl_(new Impl{documents, diagnostics, {}, {}, {}, {}}) {}
+SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects)
+    : impl_(new Impl{documents, diagnostics, dialects, {}, {}, {}, {}}) {}
 SourceReader::~SourceReader() = default;
 
 std::shared_ptr<const FloatSource> SourceReader::floats(XmlNode source, Numbers numbers) {
@@ -256,7 +262,8 @@ void SourceReader::forgetFloats() {
 std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref, Severity miscounted) {
     isIdref = static_cast<bool>(source.child("IDREF_array"));
     const auto [entry, isNew] = impl_->names.try_emplace(source);
-    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readNames, miscounted);
+    const auto readArray = [this](XmlNode array) { return readNames(array, impl_->dialects); };
+    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readArray, miscounted);
     return entry->second;
 }
 

@@ -12,6 +12,7 @@
 namespace walkcycle {
 
 class Diagnostics;
+class Dialects;
 class DocumentSet;
 
 // What to do about a number that cannot be used: positions, weights and matrices are nothing without it (Error), the
@@ -41,7 +42,7 @@ using NameSource = Source<std::string>;  // isIdref tells IDREF_array from Name_
 // Reads <source> elements: each once, cached for the load (packed values are shared).
 class SourceReader {
 public:
-    SourceReader(DocumentSet& documents, Diagnostics& diagnostics);
+    SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects);
     ~SourceReader();
 
     // `source` is the <source> element. Faults are reported: a count that disagrees with the data (WC0205, WC0211;

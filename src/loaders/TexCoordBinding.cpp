@@ -1,5 +1,6 @@
 #include "loaders/TexCoordBinding.h"
 
+#include "loaders/Dialect.h"
 #include "loaders/NumberParser.h"
 
 namespace walkcycle {
@@ -21,25 +22,28 @@ int guessFromName(std::string_view name, const MeshData& mesh) {
     return number < static_cast<int>(mesh.texCoordSets.size()) ? number : 0;
 }
 
-int chooseSet(const std::string& name, XmlNode binding, const MeshData& mesh, Diagnostics& diagnostics) {
+int chooseSet(const std::string& name, XmlNode binding, const MeshData& mesh, const LoadContext& context) {
     for (XmlNode input : binding.children("bind_vertex_input")) {
         if (input.attribute("semantic") != name) continue;
         std::int32_t set = 0;
         if (input.has("input_set") && !parseNumber(input.attribute("input_set"), set))
-            diagnostics.report(
+            context.diagnostics.report(
                 Code::NumberOddWarning, input,
                 {std::string(input.attribute("input_set")), "bind_vertex_input input_set", "0"});
         if (const int index = indexOfSet(mesh, set); index >= 0) return index;
-        diagnostics.report(Code::TexCoordsGuessed, input, {name, std::to_string(set), mesh.id});
+        context.diagnostics.report(Code::TexCoordsGuessed, input, {name, std::to_string(set), mesh.id});
         return 0;
     }
-    return guessFromName(name, mesh);
+    if (!context.dialects.follows(Quirk::TexCoordByNumber, binding)) return 0;
+    const int index = guessFromName(name, mesh);
+    if (index != 0) context.dialects.note(Quirk::TexCoordByNumber, binding);
+    return index;
 }
 
 }  // namespace
 
 void bindTexCoords(const Material& material, XmlNode binding, const MeshData& mesh, const MeshPart& part,
-                   Diagnostics& diagnostics, PartMaterial& bound) {
+                   const LoadContext& context, PartMaterial& bound) {
     bool missing = false;
     for (std::size_t slot = 0; slot < material.slots.size(); ++slot) {
         const ColorOrTexture& source = material.slots[slot];
@@ -47,10 +51,10 @@ void bindTexCoords(const Material& material, XmlNode binding, const MeshData& me
         if (mesh.texCoordSets.empty())
             missing = true;
         else
-            bound.texCoordSets[slot] = chooseSet(source.texCoordName, binding, mesh, diagnostics);
+            bound.texCoordSets[slot] = chooseSet(source.texCoordName, binding, mesh, context);
     }
     if (missing && part.primitive == Primitive::Triangles)
-        diagnostics.report(Code::TexCoordsMissing, binding, {mesh.id, material.id});
+        context.diagnostics.report(Code::TexCoordsMissing, binding, {mesh.id, material.id});
 }
 
 }  // namespace walkcycle

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "loaders/BumpMap.h"
+#include "loaders/Dialect.h"
 #include "loaders/Spelling.h"
 
 namespace walkcycle {
@@ -121,11 +122,14 @@ XmlNode TextureReader::imageOf(XmlNode texture, XmlNode sampler, const EffectPar
         return {};
     }
     if (!sampler) {
-        const XmlNode image = imageNamed(texture, name);
-        if (image)
-            context_.diagnostics.report(Code::TextureNamesImage, texture, {name});
-        else
+        const bool follows = context_.dialects.follows(Quirk::TextureNamesImage, texture);
+        const XmlNode image = follows ? imageNamed(texture, name) : XmlNode();
+        if (!image) {
             unresolved(texture, parameters, "there is no sampler of that name");
+            return {};
+        }
+        context_.diagnostics.report(Code::TextureNamesImage, texture, {name});
+        context_.dialects.note(Quirk::TextureNamesImage, texture);
         return image;
     }
     if (sampler.is("surface")) return imageOfSurface(sampler, texture, parameters);

@@ -12,7 +12,7 @@
 namespace walkcycle {
 
 // Follows an effect's <texture> to its picture: sampler, surface, <image>, file. In COLLADA 1.5 the sampler names the
-// image itself; many 1.4 exporters let the <texture> do so.
+// image itself; the quirk texture-names-image lets the <texture> do so.
 class TextureReader {
 public:
     TextureReader(const LoadContext& context, Model& model)

@@ -47,6 +47,10 @@ std::vector<CodeCase> documentCases() {
         {Code::EncodingGuessed, collada(scene("<node id='n'/>\n@<node id='h\xFCpfer'/>")), ""},
         {Code::ControlCharacter, collada(scene("<node id='n'/>\n@<node id='a\x01'/>")), ""},
         {Code::RootGuessed, twoInOne(), ""},
+        {Code::QuirkFollowed,
+         collada(scene("<node id='n'><extra><technique profile='FCOLLADA'>\n@<visibility>0</visibility>"
+                       "</technique></extra></node>")),
+         "COLLADA/library_visual_scenes/visual_scene[id=scene]/node[id=n]/extra/technique/visibility"},
     };
 }
 

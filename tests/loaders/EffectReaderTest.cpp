@@ -86,14 +86,12 @@ TEST_F(EffectReaderTest, anAlphaOfZeroIsInvisibleAsTheFormatHasIt) {
     EXPECT_FLOAT_EQ(opacity(ghost, ghost.slot(Slot::Transparent).color), 0.0f);
 }
 
-TEST_F(EffectReaderTest, oldSketchUpWritesTransparencyTheOtherWayRound) {
-    file.model.asset.authoringTool = "Google SketchUp 6.4.112";
-    EXPECT_FLOAT_EQ(file.material("glass").transparency, 0.6f);
-    EXPECT_FLOAT_EQ(file.material("veil").transparency, 0.25f);
-}
-
-TEST_F(EffectReaderTest, newerSketchUpDoesNot) {
-    file.model.asset.authoringTool = "Google SketchUp 8.0.3117";
+TEST_F(EffectReaderTest, onlyTheTransparencyOfAOneIsEverInverted) {
+    LoadOptions options;
+    options.quirks["inverted-transparency"] = true;
+    MaterialsOf inverted(file.root.file(), options);
+    EXPECT_FLOAT_EQ(inverted.material("glass").transparency, 0.6f);
+    EXPECT_FLOAT_EQ(inverted.material("veil").transparency, 0.25f);
     EXPECT_FLOAT_EQ(file.material("glass").transparency, 0.4f);
 }
 

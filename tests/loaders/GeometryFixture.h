@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "loaders/Dialect.h"
 #include "loaders/GeometryLoader.h"
 
 namespace walkcycle {
@@ -58,8 +59,9 @@ private:
         DocumentSet documents(options, diagnostics);
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(xml.data());
         const ColladaDocument& collada = documents.openMemory(std::span(bytes, xml.size()), "test.dae");
-        SourceReader sources(documents, diagnostics);
-        const LoadContext context{options, diagnostics, documents, sources};
+        Dialects dialects(options, diagnostics);
+        SourceReader sources(documents, diagnostics, dialects);
+        const LoadContext context{options, diagnostics, documents, sources, dialects};
         loaded = loadGeometry(collada.byId("shape"), context);
     }
 

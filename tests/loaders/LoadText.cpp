@@ -87,7 +87,10 @@ Bytes bytesOf(std::string_view text) {
 }
 
 TestLoad::TestLoad(std::string_view text, LoadOptions loadOptions)
-    : options(std::move(loadOptions)), documents(options, diagnostics), sources(documents, diagnostics) {
+    : options(std::move(loadOptions)),
+      documents(options, diagnostics),
+      dialects(options, diagnostics),
+      sources(documents, diagnostics, dialects) {
     collada = documents.openMemory(bytesOf(text), "test.dae").root();
 }
 

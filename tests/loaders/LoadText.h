@@ -10,6 +10,7 @@
 
 #include "loaders/ColladaDocument.h"
 #include "loaders/ColladaLoader.h"
+#include "loaders/Dialect.h"
 #include "loaders/LoadContext.h"
 
 // Small documents as text, and what loading them says: what the tests of this folder share.
@@ -73,8 +74,9 @@ public:
     LoadOptions options;
     Diagnostics diagnostics;
     DocumentSet documents;
+    Dialects dialects;
     SourceReader sources;
-    LoadContext context{options, diagnostics, documents, sources};
+    LoadContext context{options, diagnostics, documents, sources, dialects};
     XmlNode collada;
 
     XmlNode byId(std::string_view id) const { return collada.document().byId(id); }

@@ -5,6 +5,7 @@
 
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/Dialect.h"
 #include "loaders/MaterialLoader.h"
 
 namespace walkcycle {
@@ -57,8 +58,9 @@ struct MaterialsOf {
     LoadOptions options;
     Diagnostics diagnostics;
     DocumentSet documents{options, diagnostics};
-    SourceReader sources{documents, diagnostics};
-    LoadContext context{options, diagnostics, documents, sources};
+    Dialects dialects{options, diagnostics};
+    SourceReader sources{documents, diagnostics, dialects};
+    LoadContext context{options, diagnostics, documents, sources, dialects};
     Model model;
     MaterialLoader loader{context, model};
     XmlNode root;

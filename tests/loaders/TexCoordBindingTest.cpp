@@ -23,7 +23,7 @@ struct Bound {
         part.primitive = primitive;
         PartMaterial bound;
         bound.texCoordSets.fill(-1);
-        bindTexCoords(material, load.byId("m"), mesh, part, load.diagnostics, bound);
+        bindTexCoords(material, load.byId("m"), mesh, part, load.context, bound);
         set = bound.texCoordSets[static_cast<std::size_t>(Slot::Diffuse)];
         said = codes(load.diagnostics.all());
     }

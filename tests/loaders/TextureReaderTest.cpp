@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "LoadText.h"
 #include "loaders/MaterialsOf.h"
 #include "loaders/TextureReader.h"
 
@@ -21,7 +22,8 @@ TEST_F(TextureReaderTest, samplerLeadsToSurfaceToImageToPicture) {
     EXPECT_EQ(texture.image->rgba[0], 255);
     EXPECT_EQ(chain.slot(Slot::Diffuse).color, glm::vec4(1.0f));
     EXPECT_EQ(chain.slot(Slot::Diffuse).texCoordName, "UVSET1");
-    EXPECT_TRUE(file.diagnostics.all().size() == 1) << "only the guess of the material is worth a note";
+    EXPECT_EQ(codes(file.diagnostics.all()), (std::vector<std::string>{"WC0603", "WC0120"}))
+        << "the guess of the material, and its bump in <extra>";
 }
 
 TEST_F(TextureReaderTest, samplerSaysHowThePictureIsRepeatedAndFiltered) {
