@@ -17,10 +17,13 @@ UpAxis parseAxis(const std::string& text) {
     throw UsageError("--up: '" + text + "' is not an axis: X, Y or Z");
 }
 
-double parsePositive(const std::string& text, const std::string& option) {
-    const double number = parseNumber(text, option);
-    if (!(number > 0.0)) throw UsageError(option + ": '" + text + "' is not over zero");
-    return number;
+// To be called for each option that was set, so that what is wrong is wrong with that one.
+void requireUsable(const LoadOptions& options, const std::string& what) {
+    try {
+        requireValid(options);
+    } catch (const InvalidOption& error) {
+        throw UsageError(what + " " + error.must);
+    }
 }
 
 std::string limitNames() {
@@ -29,16 +32,14 @@ std::string limitNames() {
     return names;
 }
 
-void setLimit(const std::string& text, LoadLimits& limits) {
+void setLimit(const std::string& text, LoadOptions& options) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string name = text.substr(0, equals);
     const LimitInfo* limit = findLimit(name);
     if (!limit) throw UsageError("--limit: '" + name + "' is not a limit; there are " + limitNames());
     if (equals == text.size()) throw UsageError("--limit: give a value, as in " + name + "=" + "1000");
-    const std::uint64_t value = parseSize(text.substr(equals + 1), "--limit " + name);
-    if (value > limit->most)
-        throw UsageError("--limit: " + name + " can be at most " + std::to_string(limit->most));
-    limits.*limit->value = value;
+    options.limits.*limit->value = parseSize(text.substr(equals + 1), "--limit " + name);
+    requireUsable(options, "--limit: " + name);
 }
 
 }  // namespace
@@ -53,14 +54,19 @@ void LoadArguments::declare(Arguments& arguments) {
                    noConvert_);
     arguments.option("--up", "X|Y|Z", "The axis that is up, instead of the document's own",
                      [this](const std::string& text) { options.upAxis = parseAxis(text); });
-    arguments.option(
-        "--unit", "METRES", "Metres per unit, instead of the document's own",
-        [this](const std::string& text) { options.metersPerUnit = parsePositive(text, "--unit"); });
+    arguments.option("--unit", "METRES", "Metres per unit, instead of the document's own",
+                     [this](const std::string& text) {
+                         options.metersPerUnit = parseNumber(text, "--unit");
+                         requireUsable(options, "--unit: '" + text + "'");
+                     });
     arguments.choice("--skin-node", {"auto", "apply", "ignore"},
                      "Whether a skin's node moves it as well as its joints do", skinNode_);
-    arguments.option(
-        "--tolerance", "SHARE", "Largest error of the keyframes, as a share of the model's size (1e-4)",
-        [this](const std::string& text) { options.tolerance = parsePositive(text, "--tolerance"); });
+    arguments.option("--tolerance", "SHARE",
+                     "Largest error of the keyframes, as a share of the model's size (1e-4)",
+                     [this](const std::string& text) {
+                         options.tolerance = parseNumber(text, "--tolerance");
+                         requireUsable(options, "--tolerance: '" + text + "'");
+                     });
     arguments.flag("--strict", "Take warnings for errors: end with 1 where the file has any", strict);
     arguments.flag("--verbose,-v", "Say more: also notes, and what was found and chosen", verbose);
     arguments.flag("--quiet,-q", "Say nothing but what stops the program", quiet);
@@ -72,7 +78,7 @@ void LoadArguments::declareLimits(Arguments& arguments) {
         "--limit", "NAME=VALUE",
         "Raise or lower what a load may cost: file-bytes=2G (k, M and G are of 1024; a wrong NAME "
         "lists them all)",
-        [this](const std::string& text) { setLimit(text, options.limits); });
+        [this](const std::string& text) { setLimit(text, options); });
 }
 
 Model LoadArguments::loadSilently(const std::string& file) const {

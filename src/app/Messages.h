@@ -18,7 +18,7 @@ enum class Verbosity {
 void printError(const std::string& message);
 void printNote(const std::string& message);
 
-// Diagnostics as toString() writes them, a line each; in colour where standard error is a terminal and NO_COLOR
+// Diagnostics as toString() writes them, a line each, with the option that helps behind the cure; in colour where standard error is a terminal and NO_COLOR
 // is not set.
 void printDiagnostics(std::span<const Diagnostic> diagnostics, Severity least);
 

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include "app/BorrowedClips.h"
 #include "app/BuiltInModel.h"
 #include "app/Clips.h"
 #include "app/Commands.h"
@@ -8,6 +7,7 @@
 #include "app/LoadArguments.h"
 #include "app/Numbers.h"
 #include "app/Viewer.h"
+#include "model/BorrowedClips.h"
 #include "platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
@@ -51,14 +51,15 @@ void declare(ViewOptions& options, Arguments& arguments) {
 }
 
 // The document with the clips of the other files behind its own.
-Model loadWithClips(const ViewOptions& options, const std::string& file) {
+Model loadWithClips(const ViewOptions& options, const std::string& file) try {
     Model model = options.load.load(file);
     for (const std::string& name : options.animationFiles) {
         const std::vector<Animation> clips = borrowClips(options.load.load(name), model);
-        if (clips.empty()) throw UsageError("--anim: '" + name + "' moves no joint that '" + file + "' has");
         model.animations.insert(model.animations.end(), clips.begin(), clips.end());
     }
     return model;
+} catch (const NothingToBorrow& error) {
+    throw UsageError("--anim: " + std::string(error.what()));
 }
 
 int run(const ViewOptions& options) {

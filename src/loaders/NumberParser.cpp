@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <future>
+#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -44,8 +46,9 @@ std::size_t estimateWords(std::string_view text) {
 template <typename T>
 class ListReader {
 public:
-    ListReader(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults)
-        : text_(text), values_(values), faults_(faults), before_(values.size()) {}
+    ListReader(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
+               const PieceRead& pieceRead)
+        : text_(text), values_(values), faults_(faults), pieceRead_(pieceRead), before_(values.size()) {}
 
     // Makes room for about so many values.
     void reserve(std::size_t more) {
@@ -58,7 +61,12 @@ public:
     // All words but the last few are read where they stand; those from a copy with more behind it.
     void read() {
         const std::size_t tail = lastWords();
-        if (tail > 0) readWords(text_.data(), text_.data() + tail, 0);
+        for (std::size_t at = 0; at < tail;) {
+            const std::size_t end = endOfPiece(at, tail);
+            readWords(text_.data() + at, text_.data() + end, at);
+            if (pieceRead_) pieceRead_(end - at);
+            at = end;
+        }
         constexpr std::string_view kBehind = " 0       ";
         const std::string_view last = text_.substr(tail);
         std::array<char, 64> few;
@@ -68,9 +76,19 @@ public:
         std::copy(last.begin(), last.end(), copy);
         std::copy(kBehind.begin(), kBehind.end(), copy + last.size());
         readWords(copy, copy + last.size() + 1, tail);
+        if (pieceRead_) pieceRead_(last.size());
     }
 
 private:
+    // Where a word begins, some milliseconds of reading behind `at`; `most` (where one begins) at the end of the text.
+    std::size_t endOfPiece(std::size_t at, std::size_t most) const {
+        constexpr std::size_t kPiece = std::size_t{1} << 20;
+        if (most - at <= kPiece) return most;
+        std::size_t end = at + kPiece;
+        while (end < most && (isSpace(text_[end]) || !isSpace(text_[end - 1]))) ++end;
+        return end;
+    }
+
     // Where a word begins that has seven characters more behind its first; the text's start where there is none.
     std::size_t lastWords() const {
         std::size_t at = text_.size() < 8 ? 0 : text_.size() - 8;
@@ -140,6 +158,7 @@ private:
     std::string_view text_;
     std::vector<T>& values_;
     std::vector<NumberFault>& faults_;
+    const PieceRead& pieceRead_;
     std::size_t before_;
     std::array<T, 64> block_;
 };
@@ -155,23 +174,48 @@ std::size_t middleOf(std::string_view text) {
 }
 
 template <typename T>
-void parseWhole(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
-    ListReader<T> reader(text, values, faults);
+void parseWhole(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
+                const PieceRead& pieceRead) {
+    ListReader<T> reader(text, values, faults, pieceRead);
     reader.reserve(estimateWords(text));
     reader.read();
 }
 
+// Reads the first half of a text, whose second half is read at the same time; `isStopped` tells that of an exception here.
+template <typename T>
+void parseFirstHalf(std::string_view text, std::size_t middle, std::vector<T>& values,
+                    std::vector<NumberFault>& faults, const PieceRead& pieceRead,
+                    std::atomic<bool>& isStopped) try {
+    const PieceRead bothRead = [&](std::size_t characters) {
+        if (pieceRead) pieceRead(2 * characters);
+    };
+    ListReader<T> reader(text.substr(0, middle), values, faults, bothRead);
+    reader.reserve(estimateWords(text));
+    reader.read();
+} catch (...) {
+    isStopped = true;
+    throw;
+}
+
 // Reads the second half on another thread, and puts it behind the first: all comes out as if read in one go.
 template <typename T>
-void parseHalves(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
+void parseHalves(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
+                 const PieceRead& pieceRead) {
     const std::size_t before = values.size(), middle = middleOf(text);
     const std::string_view half = text.substr(middle);
     std::vector<T> others;
     std::vector<NumberFault> otherFaults;
-    auto other = std::async(std::launch::async, [&] { parseWhole(half, others, otherFaults); });
-    ListReader<T> reader(text.substr(0, middle), values, faults);
-    reader.reserve(estimateWords(text));
-    reader.read();
+    std::atomic<bool> isStopped{false};
+    const PieceRead stopToo = [&](std::size_t) {
+        if (isStopped) throw std::runtime_error("stopped");  // nobody waits for the second half any more
+    };
+    std::future<void> other;
+    try {
+        other = std::async(std::launch::async, [&] { parseWhole(half, others, otherFaults, stopToo); });
+    } catch (const std::system_error&) {  // no more threads for us
+        return parseWhole(text, values, faults, pieceRead);
+    }
+    parseFirstHalf(text, middle, values, faults, pieceRead, isStopped);
     other.get();
     for (NumberFault& fault : otherFaults) {
         if (faults.size() >= kMaxFaults) break;
@@ -183,14 +227,11 @@ void parseHalves(std::string_view text, std::vector<T>& values, std::vector<Numb
 }
 
 template <typename T>
-void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
+void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
+               const PieceRead& pieceRead) {
     if (text.size() < kWorthAThread || std::thread::hardware_concurrency() < 2)
-        return parseWhole(text, values, faults);
-    try {
-        parseHalves(text, values, faults);
-    } catch (const std::system_error&) {  // no more threads for us: nothing has been read yet
-        parseWhole(text, values, faults);
-    }
+        return parseWhole(text, values, faults, pieceRead);
+    parseHalves(text, values, faults, pieceRead);
 }
 
 constexpr int kTokensAround = 3;
@@ -223,15 +264,17 @@ bool parseOne(std::string_view text, T& value) {
 
 }  // namespace
 
-void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults) {
-    parseList(text, values, faults);
+void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead) {
+    parseList(text, values, faults, pieceRead);
 }
-void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults) {
-    parseList(text, values, faults);
+void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead) {
+    parseList(text, values, faults, pieceRead);
 }
-void parseNumbers(std::string_view text, std::vector<std::int32_t>& values,
-                  std::vector<NumberFault>& faults) {
-    parseList(text, values, faults);
+void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead) {
+    parseList(text, values, faults, pieceRead);
 }
 
 std::string surroundings(std::string_view text, const NumberFault& fault) {

@@ -13,12 +13,13 @@ namespace walkcycle {
 namespace {
 
 template <typename T>
-std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {
+std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbers,
+                           const PieceRead& pieceRead) {
     std::vector<T> values;
     std::vector<NumberFault> faults;
     std::string joined;
     const std::string_view text = node.rawText(joined);
-    parseNumbers(text, values, faults);
+    parseNumbers(text, values, faults, pieceRead);
     for (const NumberFault& fault : faults) {
         const std::string token(fault.token), name(node.name());
         std::string around = surroundings(text, fault);
@@ -189,6 +190,7 @@ std::vector<std::string> readNames(XmlNode array) {
 struct SourceReader::Impl {
     DocumentSet& documents;
     Diagnostics& diagnostics;
+    PieceRead pieceRead;
     std::unordered_map<XmlNode, std::shared_ptr<const FloatSource>> floats;
     std::unordered_map<XmlNode, std::shared_ptr<const DoubleSource>> doubles;
     std::unordered_map<XmlNode, std::shared_ptr<const NameSource>> names;
@@ -220,12 +222,12 @@ struct SourceReader::Impl {
     template <typename T>
     std::shared_ptr<Source<T>> numbers(XmlNode source, Numbers numbers) {
         return read<T>(source, isNumberArray,
-                       [&](XmlNode array) { return readNumbers<T>(array, diagnostics, numbers); });
+                       [&](XmlNode array) { return readNumbers<T>(array, diagnostics, numbers, pieceRead); });
     }
 };
 
-SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics)
-    : impl_(new Impl{documents, diagnostics, {}, {}, {}, {}}) {}
+SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics, PieceRead pieceRead)
+    : impl_(new Impl{documents, diagnostics, std::move(pieceRead), {}, {}, {}, {}}) {}
 SourceReader::~SourceReader() = default;
 
 std::shared_ptr<const FloatSource> SourceReader::floats(XmlNode source, Numbers numbers) {
@@ -261,11 +263,11 @@ std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isId
 }
 
 std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {
-    return readNumbers<double>(node, diagnostics, numbers);
+    return readNumbers<double>(node, diagnostics, numbers, {});
 }
 
-std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics) {
-    return readNumbers<std::int32_t>(node, diagnostics, Numbers::Error);
+std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics, const PieceRead& pieceRead) {
+    return readNumbers<std::int32_t>(node, diagnostics, Numbers::Error, pieceRead);
 }
 
 }  // namespace walkcycle

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "loaders/NumberParser.h"
 #include "loaders/XmlNode.h"
 #include "model/Diagnostic.h"
 
@@ -41,7 +42,8 @@ using NameSource = Source<std::string>;  // isIdref tells IDREF_array from Name_
 // Reads <source> elements: each once, cached for the load (packed values are shared).
 class SourceReader {
 public:
-    SourceReader(DocumentSet& documents, Diagnostics& diagnostics);
+    // `pieceRead` is told of the lists of numbers as they are read.
+    SourceReader(DocumentSet& documents, Diagnostics& diagnostics, PieceRead pieceRead = {});
     ~SourceReader();
 
     // `source` is the <source> element. Faults are reported: a count that disagrees with the data (WC0205, WC0211;
@@ -81,6 +83,6 @@ std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostic
 
 // The numbers of an element's text: a <matrix>, <p>, <vcount>, <v> ... Faults are reported with their own line.
 std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers);
-std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics);
+std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics, const PieceRead& pieceRead = {});
 
 }  // namespace walkcycle

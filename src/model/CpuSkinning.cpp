@@ -8,6 +8,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/SkinningKernel.h"
+#include "model/SmoothNormals.h"
+
 namespace walkcycle {
 namespace {
 
@@ -143,6 +146,11 @@ struct CpuSkinning::Work {
     }
 };
 
+CpuSkinning::CpuSkinning() : smoothNormals_(std::make_unique<SmoothNormals>()) {}
+CpuSkinning::CpuSkinning(CpuSkinning&&) noexcept = default;
+CpuSkinning& CpuSkinning::operator=(CpuSkinning&&) noexcept = default;
+CpuSkinning::~CpuSkinning() = default;
+
 void CpuSkinning::morph(Work& work, std::span<const Deformer> morphs) {
     work.goToMeshSpace();
     // Targets are differences to the mesh of the file. A NORMALIZED morph of something else, a skinned mesh,
@@ -183,7 +191,7 @@ void CpuSkinning::skin(Work& work, const Deformer& deformer) {
 void CpuSkinning::makeNormals(Work& work) {
     const MadeNormals& mesh = work.mesh.madeNormals;
     const std::vector<glm::vec3>& normals =
-        smoothNormals_.make(mesh.faces, mesh.meetings, work.positions, work.positions);
+        smoothNormals_->make(mesh.faces, mesh.meetings, work.positions, work.positions);
     for (std::size_t c = 0; c < normals.size(); ++c) {
         const std::uint32_t vertex = mesh.cornerVertices[c];
         if (vertex == kNoVertex) continue;

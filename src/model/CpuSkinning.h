@@ -1,15 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "model/Model.h"
-#include "model/SkinningKernel.h"
-#include "model/SmoothNormals.h"
 
 namespace walkcycle {
+
+struct NormalTurn;
+class SmoothNormals;
 
 // An axis-aligned box in model space. Empty until something is added.
 struct Bounds {
@@ -40,6 +42,11 @@ bool shaderCanDeform(const Model& model, const MeshInstance& instance);
 // meshes. Results are in model space (world). Keeps its work memory between calls.
 class CpuSkinning {
 public:
+    CpuSkinning();
+    CpuSkinning(CpuSkinning&&) noexcept;
+    CpuSkinning& operator=(CpuSkinning&&) noexcept;
+    ~CpuSkinning();
+
     // Deforms the instance's positions (one result per MeshData::positions).
     void positions(const Model& model, const MeshInstance& instance,
                    const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
@@ -62,7 +69,7 @@ private:
     std::vector<NormalTurn> turns_;
     std::vector<glm::vec3> work_;
     std::vector<bool> mirrored_;  // per position: its skins turn inside out
-    SmoothNormals smoothNormals_;
+    std::unique_ptr<SmoothNormals> smoothNormals_;
 };
 
 // The bounds of everything drawn at one pose.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "animation/Animator.h"
@@ -26,6 +27,7 @@ public:
     const std::vector<Animation>& animations() const { return model_->animations; }
     void doAnimation(
         const Animation& animation);  // one of this model, or made for its skeleton and outliving this
+    void doAnimation(std::string_view clip) { doAnimation(model_->animation(clip)); }  // throws NoSuchClip
     void update(double seconds);
     void setTime(double seconds);
     void sampleAt(double documentSeconds);

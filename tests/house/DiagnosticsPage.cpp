@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "app/OptionHints.h"
 #include "model/Diagnostic.h"
 
 namespace walkcycle::house {
@@ -92,7 +93,7 @@ std::string diagnosticsPage() {
         page += "\n### " + id + " " + row.name + "\n\n";
         page += "*" + std::string(nameOf(row.severity)) + "*: " + escaped(withDots(row.text)) + "\n\n";
         page += escaped(row.cause) + "\n\n";
-        page += "Cure: " + escaped(withDots(row.cure)) + ".\n";
+        page += "Cure: " + escaped(withDots(withOption(id, row.cure))) + ".\n";
         if (!*row.inBlender) continue;
         page += "\n- Blender: " + escaped(row.inBlender) + "\n";
         page += "- Maya: " + escaped(row.inMaya) + "\n";
