@@ -88,7 +88,8 @@ Model LoadArguments::loadSilently(const std::string& file) const {
                       : skinNode_ == "ignore" ? SkinNode::Ignore
                                               : SkinNode::Auto;
     Progress progress("loading", !quiet);
-    if (!chosen.progress) chosen.progress = [&progress](double share) { progress.update(share); };
+    if (!chosen.progress && progress.isShown())
+        chosen.progress = [&progress](double share) { progress.update(share); };
     return loadCollada(file, chosen);
 }
 

@@ -37,6 +37,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
+    bool isShown() const { return wanted_; }  // false: nobody looks, and nothing need be worked out
     void update(double share);
     void clear();
 

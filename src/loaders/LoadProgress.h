@@ -12,8 +12,8 @@ namespace walkcycle {
 
 // Tells the caller of a load how much of it is done, and asks whether to go on (LoadOptions::progress and cancelled).
 //
-// Work is counted in bytes of the document: each number list counts with the length of its text where it is read, and
-// again where something is made of it that takes as long. What a document does not count, nobody waits for.
+// Work is counted in bytes of the document's lists of numbers and names, which are nearly all of a large document: a list
+// counts with the length of its text when it is read, and once more when something is made of it that takes as long.
 class LoadProgress {
 public:
     enum class Stage { Document, Scene, Meshes, Curves, Keys };

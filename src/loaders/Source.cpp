@@ -258,7 +258,12 @@ void SourceReader::forgetFloats() {
 std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref, Severity miscounted) {
     isIdref = static_cast<bool>(source.child("IDREF_array"));
     const auto [entry, isNew] = impl_->names.try_emplace(source);
-    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readNames, miscounted);
+    const auto readAndTell = [&](XmlNode array) {
+        std::string joined;
+        if (impl_->pieceRead) impl_->pieceRead(array.rawText(joined).size());
+        return readNames(array);
+    };
+    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readAndTell, miscounted);
     return entry->second;
 }
 
