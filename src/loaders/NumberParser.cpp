@@ -2,14 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <bit>
-#include <future>
-#include <stdexcept>
-#include <system_error>
-#include <thread>
 
-#include "loaders/NumberBlock.h"
 #include "loaders/NumberToken.h"
 #include "loaders/PlainNumber.h"
 
@@ -99,7 +92,6 @@ private:
     // Reads up to `stop`, where a word begins; `offset` is where in the text the first character stands.
     void readWords(const char* const first, const char* const stop, std::size_t offset) {
         const char* at = first;
-        if constexpr (std::is_integral_v<T> && kFirstByteIsLowest) at = readBlocks(first, stop, offset);
         while (at < stop) {
             std::size_t count = 0;
             for (; count < block_.size(); ++count) {
@@ -109,29 +101,6 @@ private:
             }
             keep(count);
         }
-    }
-
-    // The same as far as whole blocks of characters go. Gives where it stopped, with no word half read.
-    const char* readBlocks(const char* const first, const char* const stop, std::size_t offset) {
-        const char* at = first;
-        while (stop - at >= NumberBlock::kSize) {
-            const NumberBlock block(at);
-            const std::size_t place = offset + static_cast<std::size_t>(at - first);
-            std::size_t count = 0;
-            unsigned from = NumberBlock::kSize;  // of the word that does not end in the block
-            for (std::uint64_t edges = block.edges(); edges != 0; edges &= edges - 1) {
-                from = static_cast<unsigned>(std::countr_zero(edges));
-                edges &= edges - 1;
-                if (edges == 0) break;
-                const auto to = static_cast<unsigned>(std::countr_zero(edges));
-                if (!block.read(from, to, block_[count])) readWord(at + from, place + from, count);
-                ++count;
-                from = NumberBlock::kSize;
-            }
-            at = from == 0 ? readWord(at, place, count++) : at + from;
-            keep(count);
-        }
-        return at;
     }
 
     // Into the block; gives where the word ends.
@@ -163,75 +132,12 @@ private:
     std::array<T, 64> block_;
 };
 
-// A second thread has to be started, and its numbers to be put behind the others: shorter lists gain nothing.
-constexpr std::size_t kWorthAThread = std::size_t{1} << 21;
-
-// Behind the white space that is nearest to the middle of a text, or behind it all.
-std::size_t middleOf(std::string_view text) {
-    std::size_t at = text.size() / 2;
-    while (at < text.size() && !isSpace(text[at])) ++at;
-    return at;
-}
-
-template <typename T>
-void parseWhole(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
-                const PieceRead& pieceRead) {
-    ListReader<T> reader(text, values, faults, pieceRead);
-    reader.reserve(estimateWords(text));
-    reader.read();
-}
-
-// Reads the first half of a text, whose second half is read at the same time; `isStopped` tells that of an exception here.
-template <typename T>
-void parseFirstHalf(std::string_view text, std::size_t middle, std::vector<T>& values,
-                    std::vector<NumberFault>& faults, const PieceRead& pieceRead,
-                    std::atomic<bool>& isStopped) try {
-    const PieceRead bothRead = [&](std::size_t characters) {
-        if (pieceRead) pieceRead(2 * characters);
-    };
-    ListReader<T> reader(text.substr(0, middle), values, faults, bothRead);
-    reader.reserve(estimateWords(text));
-    reader.read();
-} catch (...) {
-    isStopped = true;
-    throw;
-}
-
-// Reads the second half on another thread, and puts it behind the first: all comes out as if read in one go.
-template <typename T>
-void parseHalves(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
-                 const PieceRead& pieceRead) {
-    const std::size_t before = values.size(), middle = middleOf(text);
-    const std::string_view half = text.substr(middle);
-    std::vector<T> others;
-    std::vector<NumberFault> otherFaults;
-    std::atomic<bool> isStopped{false};
-    const PieceRead stopToo = [&](std::size_t) {
-        if (isStopped) throw std::runtime_error("stopped");  // nobody waits for the second half any more
-    };
-    std::future<void> other;
-    try {
-        other = std::async(std::launch::async, [&] { parseWhole(half, others, otherFaults, stopToo); });
-    } catch (const std::system_error&) {  // no more threads for us
-        return parseWhole(text, values, faults, pieceRead);
-    }
-    parseFirstHalf(text, middle, values, faults, pieceRead, isStopped);
-    other.get();
-    for (NumberFault& fault : otherFaults) {
-        if (faults.size() >= kMaxFaults) break;
-        fault.index += values.size() - before;
-        fault.offset += middle;
-        faults.push_back(fault);
-    }
-    values.insert(values.end(), others.begin(), others.end());
-}
-
 template <typename T>
 void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
                const PieceRead& pieceRead) {
-    if (text.size() < kWorthAThread || std::thread::hardware_concurrency() < 2)
-        return parseWhole(text, values, faults, pieceRead);
-    parseHalves(text, values, faults, pieceRead);
+    ListReader<T> reader(text, values, faults, pieceRead);
+    reader.reserve(estimateWords(text));
+    reader.read();
 }
 
 constexpr int kTokensAround = 3;
