@@ -2,7 +2,7 @@
 
 #include "app/ModelFacts.h"
 #include "app/Numbers.h"
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 
 namespace walkcycle {
 namespace {

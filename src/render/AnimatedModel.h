@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "animation/Animator.h"
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 #include "model/Model.h"
 #include "model/SceneState.h"
 

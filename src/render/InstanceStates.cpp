@@ -3,6 +3,7 @@
 #include <span>
 
 #include "animation/Skin.h"
+#include "model/Deformers.h"
 #include "render/VertexInput.h"
 
 namespace walkcycle {

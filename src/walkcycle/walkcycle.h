@@ -12,6 +12,7 @@
 #include "io/Image.h"
 #include "loaders/ColladaLoader.h"
 #include "model/BorrowedClips.h"
+#include "model/Bounds.h"
 #include "model/CpuSkinning.h"
 #include "model/LimitedInfluences.h"
 #include "model/Model.h"
