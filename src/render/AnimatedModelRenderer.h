@@ -6,12 +6,11 @@
 #include "render/Camera.h"
 #include "render/RenderOptions.h"
 #include "render/RenderTarget.h"
-#include "render/ScreenArea.h"
 
 namespace walkcycle {
 
-// Draws animated models. Keeps its shaders and work memory, so one renderer should draw all pictures of a
-// program; belongs to the OpenGL context that it was made in.
+// Draws animated models. It keeps its shaders and work memory, so use one renderer for all pictures of a
+// program. It belongs to the OpenGL context in which it was made.
 //
 //     AnimatedModelRenderer renderer;
 //     renderer.render(model, camera, picture);  // RenderOptions as a fourth argument
@@ -26,10 +25,7 @@ public:
     void render(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
                 const RenderOptions& options = {});
 
-    // Outside of this area the last picture by render() shows the background alone, which Framebuffer::read() can use.
-    ScreenArea drawnArea() const;
-
-    // The same in steps, for pictures with several models: clear once, then draw each. Without the grid.
+    // The same in steps, for a picture of several models: clear once, then draw each. There is no grid.
     void clear(const RenderTarget& target, const RenderOptions& options = {});
     void draw(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
               const RenderOptions& options = {});

@@ -11,27 +11,30 @@
 
 namespace walkcycle {
 
-// What a picture shows where no model covers it: a soft gradient, or one colour, and on the ground, the plane y = 0, a
-// grid.
+// The background of a picture: a soft gradient or one colour, and perhaps a grid on the ground,
+// the plane y = 0.
 struct Backdrop {
     struct Grid {
-        // Times a place in the picture (x, y, 1), both from -1 to 1: where on the ground it shows, in steps of the grid
-        // (x, z) and homogeneous; the third number is over 0 where that is before the camera, the fourth where it is
-        // beyond the nearest that it sees.
+        // Maps a point of the picture, (x, y, 1) with x and y from -1 to 1, to the ground that is visible
+        // there. The first three numbers of the result are the ground's x and z in grid steps, in homogeneous
+        // form: divide them by the third. The third is positive where the ground lies in front of the camera,
+        // the fourth where it lies beyond the near plane; only where both are positive is the ground visible.
         glm::mat3x4 groundAt{0.0f};
-        glm::vec3 fading{0.0f, 0.0f, 1.0f};  // around which place (x, z), and where it has gone; in steps
+        // The grid's centre (x, z), and the radius at which it has faded out; in grid steps.
+        glm::vec3 fading{0.0f, 0.0f, 1.0f};
     };
 
-    bool encodesItself = false;      // the target takes sRGB, and does not turn light into it
+    bool encodesItself = false;      // the shader converts light to sRGB, because the target does not
     float pictureHeight = 1.0f;      // in pixels
-    std::optional<glm::vec3> color;  // as the target takes it; none: the gradient
+    std::optional<glm::vec3> color;  // as stored in the target; without one: the gradient
     std::optional<Grid> grid;
 
-    // Which of the programs of backdrop.glsl draws it: a number below kVariants, and what makes that one.
+    // backdrop.glsl is compiled in kVariants ways. The number of the one that draws this backdrop, and its
+    // #defines.
     static constexpr std::size_t kVariants = 8;
     std::size_t variant() const;
     std::string defines() const;
-    void load(const ShaderProgram& program) const;  // which must be started
+    void load(const ShaderProgram& program) const;  // the program must be started
 };
 
 }  // namespace walkcycle

@@ -55,7 +55,7 @@ glm::ivec4 ScreenArea::pixels() const {
         const float at = std::floor((place * 0.5f + 0.5f) * static_cast<float>(size));
         return std::clamp(static_cast<int>(at) + margin, 0, size - 1);
     };
-    constexpr int kMargin = 3;  // for the edges of lines and of samples, and one that is clear
+    constexpr int kMargin = 3;  // for the width of lines and the spread of samples, plus one clear pixel
     return {pixel(min_.x, width_, -kMargin), pixel(min_.y, height_, -kMargin), pixel(max_.x, width_, kMargin),
             pixel(max_.y, height_, kMargin)};
 }
