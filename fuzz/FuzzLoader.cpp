@@ -7,6 +7,7 @@
 #include "Require.h"
 #include "animation/Animator.h"
 #include "loaders/ColladaLoader.h"
+#include "model/Bounds.h"
 #include "model/CpuSkinning.h"
 
 namespace {

@@ -172,10 +172,11 @@ std::vector<CheckReport> checkAll(const CheckOptions& options, const Work& work)
         };
     Progress progress("checking", !options.load.quiet);
     std::vector<CheckReport> reports;
-    load.options.progress = [&](double share) {
+    const auto update = [&](double share) {
         progress.update((static_cast<double>(reports.size()) + share) /
                         static_cast<double>(work.files.size()));
     };
+    if (progress.isShown()) load.options.progress = update;
     for (const std::string& file : work.files) {
         CheckReport report = check(load, file);
         leaveOut(report.diagnostics, ignored);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Messages.h"
+#include "app/OptionHints.h"
 
 namespace walkcycle {
 namespace {
@@ -20,7 +21,7 @@ Json message(const Diagnostic& diagnostic, const std::string& file) {
                  {"severity", severityNumber(diagnostic.severity)},
                  {"pointer", diagnostic.elementPath},
                  {"line", diagnostic.line},
-                 {"cure", diagnostic.cure}};
+                 {"cure", withOption(diagnostic.code, diagnostic.cure)}};
     if (diagnostic.repeats > 0) json["repeats"] = diagnostic.repeats;
     if (!diagnostic.file.empty() && diagnostic.file != file)
         json["uri"] = diagnostic.file;  // another document

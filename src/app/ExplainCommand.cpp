@@ -4,6 +4,7 @@
 #include "app/Commands.h"
 #include "app/ExitCode.h"
 #include "app/Messages.h"
+#include "app/OptionHints.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/MessageTemplate.h"
 
@@ -14,7 +15,7 @@ namespace {
 std::string explanation(const CodeInfo& entry) {
     std::string text = std::string(entry.id) + " " + entry.name + " (" + nameOf(entry.severity) +
                        ")\n  says:  " + withWords(entry.text) + "\n  means: " + entry.cause +
-                       "\n  cure:  " + withWords(entry.cure) + "\n";
+                       "\n  cure:  " + withOption(entry.id, withWords(entry.cure)) + "\n";
     if (!*entry.inBlender) return text;
     return text + "    Blender: " + entry.inBlender + "\n    Maya:    " + entry.inMaya +
            "\n    3ds Max: " + entry.in3dsMax + "\n";

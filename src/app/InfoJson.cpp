@@ -3,7 +3,6 @@
 #include "app/InfoText.h"
 #include "app/JointKeys.h"
 #include "app/ModelFacts.h"
-#include "model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

@@ -27,7 +27,9 @@ std::uintptr_t heapEnd() {
 void useLargePages() {
     mallopt(M_MMAP_THRESHOLD, 32 * kMegabyte);  // larger blocks get pages of their own; glibc takes no more
     mallopt(M_TRIM_THRESHOLD, 2 * kFirstStretch);
-    mallopt(M_ARENA_MAX, 1);  // the thread that loads gets the same heap
+    // One heap for all threads, also the one that loads: with a heap for each, `render res/walker.dae` takes 160 MiB
+    // instead of 146, and 4 % more wall time.
+    mallopt(M_ARENA_MAX, 1);
     mallopt(M_TOP_PAD, kFirstStretch);
     const std::uintptr_t start = (heapEnd() + kLargePage - 1) / kLargePage * kLargePage;
     void* volatile block = std::malloc(kMegabyte);  // makes the heap grow; volatile, or it is left out

@@ -18,10 +18,13 @@ UpAxis parseAxis(const std::string& text) {
     throw UsageError("--up: '" + text + "' is not an axis: X, Y or Z");
 }
 
-double parsePositive(const std::string& text, const std::string& option) {
-    const double number = parseNumber(text, option);
-    if (!(number > 0.0)) throw UsageError(option + ": '" + text + "' is not over zero");
-    return number;
+// To be called for each option that was set, so that what is wrong is wrong with that one.
+void requireUsable(const LoadOptions& options, const std::string& what) {
+    try {
+        requireValid(options);
+    } catch (const InvalidOption& error) {
+        throw UsageError(what + " " + error.must);
+    }
 }
 
 std::string limitNames() {
@@ -30,17 +33,15 @@ std::string limitNames() {
     return names;
 }
 
-void setLimit(const std::string& text, LoadLimits& limits) {
+void setLimit(const std::string& text, LoadOptions& options) {
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string name = text.substr(0, equals);
     const LimitInfo* limit = findLimit(name);
     if (!limit) throw UsageError("--limit: '" + name + "' is not a limit; the limits are " + limitNames());
     if (equals == text.size())
         throw UsageError("--limit: '" + text + "' has no value, as in " + name + "=1000");
-    const std::uint64_t value = parseSize(text.substr(equals + 1), "--limit " + name);
-    if (value > limit->most)
-        throw UsageError("--limit: " + name + " can be at most " + std::to_string(limit->most));
-    limits.*limit->value = value;
+    options.limits.*limit->value = parseSize(text.substr(equals + 1), "--limit " + name);
+    requireUsable(options, "--limit: " + name);
 }
 
 std::string quirkNames() {
@@ -73,9 +74,11 @@ void LoadArguments::declare(Arguments& arguments) {
                    noConvert_);
     arguments.option("--up", "X|Y|Z", "The up axis, instead of the document's own",
                      [this](const std::string& text) { options.upAxis = parseAxis(text); });
-    arguments.option(
-        "--unit", "METRES", "Metres per unit, instead of the document's own",
-        [this](const std::string& text) { options.metersPerUnit = parsePositive(text, "--unit"); });
+    arguments.option("--unit", "METRES", "Metres per unit, instead of the document's own",
+                     [this](const std::string& text) {
+                         options.metersPerUnit = parseNumber(text, "--unit");
+                         requireUsable(options, "--unit: '" + text + "'");
+                     });
     arguments.choiceOf<SkinNode>(
         "--skin-node", {{"auto", SkinNode::Auto}, {"apply", SkinNode::Apply}, {"ignore", SkinNode::Ignore}},
         "Whether the node of a skin moves it, in addition to the skin's joints", options.skinNode);
@@ -85,7 +88,10 @@ void LoadArguments::declare(Arguments& arguments) {
                          [this](const std::string& text) { setQuirk(text, options.quirks); });
     arguments.option(
         "--tolerance", "SHARE", "The largest error of the key frames, as a share of the model's size (1e-4)",
-        [this](const std::string& text) { options.tolerance = parsePositive(text, "--tolerance"); });
+        [this](const std::string& text) {
+            options.tolerance = parseNumber(text, "--tolerance");
+            requireUsable(options, "--tolerance: '" + text + "'");
+        });
     arguments.flag("--strict", "End with exit code 1 if the file has errors or warnings", strict);
     arguments.flag("--verbose,-v", "Print more: also notes, and what was found and chosen", verbose);
     arguments.flag("--quiet,-q", "Print only what stops the program", quiet);
@@ -97,14 +103,15 @@ void LoadArguments::declareLimits(Arguments& arguments) {
         "--limit", "NAME=VALUE",
         "Raise or lower a limit of the loader, as in file-bytes=2G (k, M, G: powers of 1024); a wrong NAME "
         "lists all limits",
-        [this](const std::string& text) { setLimit(text, options.limits); });
+        [this](const std::string& text) { setLimit(text, options); });
 }
 
 Model LoadArguments::loadSilently(const std::string& file) const {
     LoadOptions chosen = options;
     if (noConvert_) chosen.convert = false;
     Progress progress("loading", !quiet);
-    if (!chosen.progress) chosen.progress = [&progress](double share) { progress.update(share); };
+    if (!chosen.progress && progress.isShown())
+        chosen.progress = [&progress](double share) { progress.update(share); };
     return loadCollada(file, chosen);
 }
 

@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include "app/OptionHints.h"
 #include "io/File.h"
 
 namespace walkcycle {
@@ -40,7 +41,7 @@ std::string colored(std::string_view text, const char* color) {
 
 // The diagnostic as one line, with the word of its severity in colour.
 std::string highlighted(const Diagnostic& diagnostic) {
-    std::string line = toString(diagnostic);
+    std::string line = toString(withOption(diagnostic));
     const std::string_view word = nameOf(diagnostic.severity);
     const char* color = diagnostic.severity == Severity::Error     ? "1;31"
                         : diagnostic.severity == Severity::Warning ? "1;33"

@@ -18,8 +18,8 @@ enum class Verbosity {
 void printError(const std::string& message);
 void printNote(const std::string& message);
 
-// Prints diagnostics of at least this severity, a line each, as toString() gives them; in colour if standard
-// error is a terminal and NO_COLOR is not set.
+// Prints diagnostics of at least this severity, a line each, as toString() gives them with the option that helps behind
+// the cure; in colour if standard error is a terminal and NO_COLOR is not set.
 void printDiagnostics(std::span<const Diagnostic> diagnostics, Severity least);
 
 struct DiagnosticCounts {
@@ -37,6 +37,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() { clear(); }
+    bool isShown() const { return wanted_; }  // false: nobody looks, and nothing need be worked out
     void update(double share);
     void clear();
 

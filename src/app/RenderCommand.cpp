@@ -116,7 +116,7 @@ public:
 private:
     Image draw(const Camera& camera) {
         renderer_.render(model_, camera, picture_, look_);
-        return picture_.read(renderer_.drawnArea());
+        return picture_.read();
     }
 
     Image average(const Camera& camera, int passes) {
@@ -162,7 +162,7 @@ public:
     explicit Opening(const RenderArguments& options) {
         auto loading = std::async(std::launch::async, [&options] { return options.load.load(options.file); });
         try {
-            graphics_ = new Graphics(options.backend);
+            graphics_ = std::make_unique<Graphics>(options.backend);
         } catch (const NoGraphicsDevice&) {
             noDevice_ = std::current_exception();
         }
@@ -175,8 +175,7 @@ public:
     }
 
 private:
-    // Never closed: the driver takes longer for that than the system does when the process ends.
-    static inline Graphics* graphics_ = nullptr;
+    std::unique_ptr<Graphics> graphics_;
     std::exception_ptr noDevice_;
 
 public:

@@ -2,7 +2,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/BorrowedClips.h"
 #include "app/BuiltInModel.h"
 #include "app/Clips.h"
 #include "app/Commands.h"
@@ -11,6 +10,7 @@
 #include "app/Numbers.h"
 #include "app/SharedOptions.h"
 #include "app/Viewer.h"
+#include "model/BorrowedClips.h"
 #include "platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
@@ -58,15 +58,16 @@ void declare(ViewOptions& options, Arguments& arguments) {
         viewerHelp());
 }
 
-// The document, with the clips of the --anim files after its own.
-Model loadWithClips(const ViewOptions& options, const std::string& file) {
+// The document with the clips of the other files behind its own.
+Model loadWithClips(const ViewOptions& options, const std::string& file) try {
     Model model = options.load.load(file);
     for (const std::string& name : options.animationFiles) {
         const std::vector<Animation> clips = borrowClips(options.load.load(name), model);
-        if (clips.empty()) throw UsageError("--anim: '" + name + "' moves no joint of '" + file + "'");
         model.animations.insert(model.animations.end(), clips.begin(), clips.end());
     }
     return model;
+} catch (const NothingToBorrow& error) {
+    throw UsageError("--anim: " + std::string(error.what()));
 }
 
 int run(const ViewOptions& options) {

@@ -9,21 +9,22 @@
 
 namespace walkcycle {
 
-// A picture in memory: rows from the top, four bytes (red, green, blue, alpha; straight alpha, sRGB) per
-// pixel.
+// A picture in memory.
 struct Image {
-    int width = 0;
-    int height = 0;
-    bool hasAlpha = false;  // the file had an alpha channel
+    int width = 0, height = 0;  // in pixels
+    bool hasAlpha = false;      // the file had an alpha channel
+    // Rows from the top, four bytes per pixel: red, green, blue, alpha; sRGB, straight alpha. Empty where only the size was
+    // asked for.
     Bytes rgba;
 };
 
 // The largest picture that decodeImage accepts, so that a file of a few bytes cannot cost gigabytes.
 struct ImageLimits {
-    std::uint64_t maxDimension = 16384;
-    std::uint64_t maxPixels = 64 * 1024 * 1024;
+    std::uint64_t maxDimension = 16384;          // pixels on a side
+    std::uint64_t maxPixels = 64 * 1024 * 1024;  // width * height
 };
 
+// Bytes that are no picture that can be used: what() says why, in one line.
 struct ImageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -31,17 +32,19 @@ struct ImageError : std::runtime_error {
 struct ImageTooLarge : ImageError {
     ImageTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ImageLimits::*passed)
         : ImageError(what), amount(found), limit(passed) {}
-    std::uint64_t amount;
-    std::uint64_t ImageLimits::*limit;
+    std::uint64_t amount;               // what the file claims
+    std::uint64_t ImageLimits::*limit;  // which of the limits
 };
 
-// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError, which says what is wrong.
+// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP (not animated). Throws ImageError, which says what is
+// wrong.
 Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
 // The same for callers that need the size alone: where the header tells it, pixels are not decoded and `rgba`
 // is empty.
 Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
 
+// The picture as a file. `rgba` must hold width * height pixels.
 Bytes encodePng(const Image& image);
 Bytes encodeWebp(const Image& image);  // lossless
 

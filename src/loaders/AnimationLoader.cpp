@@ -2,6 +2,7 @@
 
 #include "loaders/ClipFitter.h"
 #include "loaders/ClipLoader.h"
+#include "loaders/LoadProgress.h"
 #include "loaders/MotionBuilder.h"
 
 namespace walkcycle {
@@ -21,6 +22,7 @@ std::string baseName(const std::string& file) {
 // Curves first, exactly as the file has them; then what they move; then keyframes that play the same.
 void loadAnimations(XmlNode collada, const SceneGraph& scene, const AnimationTargets& targets,
                     const LoadContext& context, Model& model) {
+    if (context.progress) context.progress->begin(LoadProgress::Stage::Curves);
     const AnimationTree tree = readAnimationTree(collada);
     const std::vector<ClipRange> clips = readClips(collada, tree, context);
     MotionBuilder builder(scene, targets, context, model);
@@ -33,6 +35,7 @@ void loadAnimations(XmlNode collada, const SceneGraph& scene, const AnimationTar
     if (!motion) return;
 
     model.exactMotion = motion;
+    if (context.progress) context.progress->begin(LoadProgress::Stage::Keys, workOf(*motion));
     ClipFitter fitter(model, *motion, context, collada);
     model.animations.push_back(fitter.whole(baseName(model.file)));
     for (const ClipRange& range : clips) {

@@ -19,8 +19,7 @@ std::optional<UpAxis> parseUpAxis(std::string_view text) {
 
 std::optional<double> parseUnit(XmlNode unit) {
     double meters = 0.0;
-    if (!unit || !parseNumber(unit.attribute("meter"), meters) || meters < 1e-12 || meters > 1e12)
-        return std::nullopt;
+    if (!unit || !parseNumber(unit.attribute("meter"), meters) || !isUsableUnit(meters)) return std::nullopt;
     return meters;
 }
 

@@ -57,6 +57,15 @@ std::size_t alike(const JointMotion& motion, const std::vector<JointMotion>& oth
 // What moves wildly takes keys that the file does not have: so many, of all motions together, are its due.
 constexpr std::size_t kSpareKeys = 50'000;
 
+// The keys of the file, as if they were text.
+template <typename MotionOfOne>
+double workOf(const MotionOfOne& moving) {
+    constexpr double kPerKey = 64.0;
+    double keys = 1.0;
+    for (const auto& binding : moving.bindings) keys += static_cast<double>(binding.curve->times.size());
+    return kPerKey * keys;
+}
+
 Animation emptyClip(std::string name, double start, double end) {
     Animation animation;
     animation.name = std::move(name);
@@ -66,6 +75,13 @@ Animation emptyClip(std::string name, double start, double end) {
 }
 
 }  // namespace
+
+double workOf(const Motion& motion) {
+    double work = 0.0;
+    for (const JointMotion& joint : motion.joints) work += workOf<JointMotion>(joint);
+    for (const ParameterMotion& moving : motion.parameters) work += workOf<ParameterMotion>(moving);
+    return work;
+}
 
 ClipFitter::ClipFitter(const Model& model, const Motion& motion, const LoadContext& context, XmlNode collada)
     : model_(model),
@@ -126,6 +142,7 @@ void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& an
                 fitChannel(joint, knots, reach_.tolerance(joint.joint, share_), limit, spare_));
         const Channel& made = animation.channels.back();
         spend(made.keyFrames.size() + made.matrixKeyFrames.size(), knots.size());
+        context_.advance(workOf(joint));
     }
     for (const ParameterMotion& moving : motion.parameters) {
         const Parameter& parameter = model_.parameters[static_cast<std::size_t>(moving.parameter)];
@@ -133,6 +150,7 @@ void ClipFitter::fit(const Motion& motion, const Animation* whole, Animation& an
         const std::vector<double> knots = moving.knots(start, end, limit);
         animation.parameterTracks.push_back(fitTrack(moving, knots, tolerance, limit, spare_));
         spend(animation.parameterTracks.back().keyFrames.size(), knots.size());
+        context_.advance(workOf(moving));
     }
     animation.achievedError =
         isOfWhole ? whole->achievedError : static_cast<float>(reach_.measure(model_, motion, animation));

@@ -9,6 +9,9 @@
 
 namespace walkcycle {
 
+// What all that moves, or one of it, counts as work of fitting (see LoadProgress): by the keys of its curves.
+double workOf(const Motion& motion);
+
 // Makes clips of keyframes from the exact motion, within LoadOptions::tolerance.
 class ClipFitter {
 public:

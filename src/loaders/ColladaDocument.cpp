@@ -8,6 +8,7 @@
 #include "io/TextEncoding.h"
 #include "io/TextScan.h"
 #include "loaders/LimitCheck.h"
+#include "loaders/LoadProgress.h"
 #include "loaders/Markup.h"
 
 namespace walkcycle {
@@ -85,13 +86,15 @@ tinyxml2::XMLElement* nextInDocument(tinyxml2::XMLElement* element) {
 }  // namespace
 
 ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits,
-                                 Diagnostics& diagnostics)
+                                 Diagnostics& diagnostics, LoadProgress* progress)
     : file_(std::move(file)), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
     requireWithin(limits, &LoadLimits::maxFileBytes, bytes.size(), file_, 0, diagnostics);
     decode(std::move(bytes), diagnostics);
     requireFewElements(text_, file_, limits, diagnostics);
     const std::size_t length = text_.size();
+    if (progress) progress->documentIs(0.4);  // decoded
     parse(diagnostics);
+    if (progress) progress->documentIs(0.9);  // parsed
     root_ = XmlNode(xml_->RootElement(), this);
     if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
     if (const XmlNode second = root_.nextSibling())

@@ -20,11 +20,14 @@ class XMLDocument;
 namespace walkcycle {
 
 class Diagnostics;
+class LoadProgress;
 
 // One parsed document: its elements by id.
 class ColladaDocument {
 public:
-    ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits, Diagnostics& diagnostics);
+    // `progress`, where there is one, is told of the steps of the parsing.
+    ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits, Diagnostics& diagnostics,
+                    LoadProgress* progress = nullptr);
     ~ColladaDocument();
 
     const std::string& file() const { return file_; }
@@ -52,7 +55,7 @@ private:
 // The document that was asked for and the others that it refers to, each loaded once.
 class DocumentSet {
 public:
-    DocumentSet(const LoadOptions& options, Diagnostics& diagnostics);
+    DocumentSet(const LoadOptions& options, Diagnostics& diagnostics, LoadProgress* progress = nullptr);
     ~DocumentSet();
 
     const ColladaDocument& openFile(const std::string& path);
@@ -73,6 +76,9 @@ public:
     // Where `most` bytes of its start are enough, it may be no more than those.
     std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath,
                                     std::size_t most = SIZE_MAX);
+    // Reads a file that the caller of the load names: from the resolver, if there is one (nothing: it has none), or from
+    // disk. Throws FileError.
+    std::optional<Bytes> readAsGiven(const std::string& path);
     // False where such a folder is certainly not there.
     bool mayHaveBeside(const XmlNode& from, const std::string& folder) const;
     // Where a relative path leads on disk, spelt as readBeside() does; empty where that is not a file that may be read, or

@@ -10,6 +10,7 @@
 #include "loaders/Dialect.h"
 #include "loaders/Inspection.h"
 #include "loaders/KnownElements.h"
+#include "loaders/LoadProgress.h"
 #include "loaders/MaterialLoader.h"
 #include "loaders/PicturesAhead.h"
 #include "loaders/SceneLoader.h"
@@ -77,10 +78,6 @@ private:
     std::uint64_t vertices_ = 0, parts_ = 0;
 };
 
-void report(const LoadContext& context, double done) {
-    if (context.options.progress) context.options.progress(done);
-}
-
 // Meshes, skins, morphs and materials; what only they were made from is given back before the keyframes take memory.
 void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext& context, Model& model,
                    AnimationTargets& targets) {
@@ -89,6 +86,7 @@ void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext
     ControllerLoader controllers(context, meshes, skeletons, model, targets);
     InstanceLoader instances(context, meshes, controllers, materials, model);
     const SceneGraph& scene = skeletons.scene();
+    context.progress->begin(LoadProgress::Stage::Meshes);
     for (const SceneGraph::Instance& source : scene.geometries) instances.add(source);
     for (const SceneGraph::Instance& source : scene.controllers) instances.add(source);
     meshes.moveInto(model);
@@ -106,15 +104,14 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     if (context.options.convert)
         model.skeleton.rootTransform = glm::mat4(toMetresYUp(model.asset.metersPerUnit, model.asset.upAxis));
 
+    context.progress->begin(LoadProgress::Stage::Scene);
     const XmlNode visualScene = findVisualScene(collada, context);
     model.sceneId = visualScene.id();
     SkeletonLoader skeletons(context, model.asset, collada);
     skeletons.addScene(visualScene);
-    report(context, 0.2);
 
     AnimationTargets targets;
     loadInstances(collada, skeletons, context, model, targets);
-    report(context, 0.7);
 
     SceneGraph& scene = skeletons.scene();
     loadCameras(scene, context, model, targets);
@@ -124,24 +121,30 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;
     loadAnimations(collada, scene, targets, context, model);
     if (context.options.inspector) context.options.inspector({collada, scene, model, context});
-    report(context, 1.0);
 }
 
 template <typename Open>
 Model load(const std::string& file, const LoadOptions& options, Open open) {
+    requireValid(options);
     Diagnostics diagnostics(options.limits.maxMessages);
-    DocumentSet documents(options, diagnostics);
+    LoadProgress progress(options, diagnostics, file);
+    DocumentSet documents(options, diagnostics, &progress);
     Dialects dialects(options, diagnostics);
-    SourceReader sources(documents, diagnostics, dialects);
+    const PieceRead numbersRead = [&](std::size_t characters) {
+        progress.advance(static_cast<double>(characters));
+    };
+    SourceReader sources(documents, diagnostics, dialects, numbersRead);
     PicturesAhead ahead;
-    const LoadContext context{options, diagnostics, documents, sources, dialects, &ahead};
+    const LoadContext context{options, diagnostics, documents, sources, dialects, &ahead, &progress};
     Model model;
     model.file = file;
     const XmlNode collada = open(documents).root();
-    context.checkCancelled(collada);
+    progress.plan(collada);
+    progress.documentIs(1.0);
     ahead.begin(collada, documents, options);
     loadModel(collada, context, model);
     model.diagnostics = diagnostics.take();
+    progress.finish();
     return model;
 }
 

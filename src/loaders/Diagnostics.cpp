@@ -64,10 +64,6 @@ const CodeInfo& info(Code code) {
     return kCatalogue[static_cast<std::size_t>(code)];
 }
 
-LoadError::LoadError(std::vector<Diagnostic> all)
-    : std::runtime_error(all.empty() ? "nothing could be loaded" : toString(all.back())),
-      diagnostics(std::move(all)) {}
-
 void Diagnostics::add(Diagnostic diagnostic, std::string elementName) {
     int& kept = keptOfCode_[{diagnostic.file, diagnostic.code}];
     if (all_.size() >= mostMessages_ || kept >= kKeptPerCode) elementName.clear();

@@ -3,12 +3,12 @@
 #include <initializer_list>
 #include <map>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
+#include "loaders/LoadError.h"
 #include "loaders/LoadLimits.h"
 #include "model/Diagnostic.h"
 
@@ -42,13 +42,6 @@ struct CodeInfo {
 
 std::span<const CodeInfo> diagnosticCatalogue();
 const CodeInfo& info(Code code);
-
-// Nothing of the file can be shown. what() is the diagnostic as one line; `diagnostics` holds it last, after what
-// was said before.
-struct LoadError : std::runtime_error {
-    explicit LoadError(std::vector<Diagnostic> all);
-    std::vector<Diagnostic> diagnostics;
-};
 
 // A loader that meets one fault again and again finds the exact line of the first few only: that takes a walk through
 // the text, and the rest is but counted.

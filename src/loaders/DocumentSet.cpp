@@ -5,6 +5,7 @@
 #include "loaders/ColladaDocument.h"
 #include "loaders/KnownElements.h"
 #include "loaders/LimitCheck.h"
+#include "loaders/LoadProgress.h"
 #include "loaders/Surroundings.h"
 
 namespace walkcycle {
@@ -13,34 +14,38 @@ namespace fs = std::filesystem;
 struct DocumentSet::Impl {
     const LoadOptions& options;
     Diagnostics& diagnostics;
+    LoadProgress* progress;  // null: nobody is told
     Surroundings surroundings;
     std::unordered_map<std::string, std::shared_ptr<ColladaDocument>>
         documents;  // by path; null: cannot be opened
 
-    const ColladaDocument& add(Bytes bytes, const std::string& file) {
+    const ColladaDocument& add(Bytes bytes, const std::string& file, LoadProgress* parsing = nullptr) {
         auto document =
-            std::make_shared<ColladaDocument>(std::move(bytes), file, options.limits, diagnostics);
+            std::make_shared<ColladaDocument>(std::move(bytes), file, options.limits, diagnostics, parsing);
         return *(documents[fs::path(file).lexically_normal().string()] = std::move(document));
     }
 
     const ColladaDocument& addOther(Bytes bytes, const fs::path& path) {
         const ColladaDocument& document = add(std::move(bytes), path.string());
         checkElements(document.root(), diagnostics);
+        if (progress) progress->alsoRead(document.root());
         return document;
     }
 
     const ColladaDocument& addRoot(Bytes bytes, const std::string& file) {
+        if (progress) progress->documentIs(0.2);  // in memory
         requireWithin(options.limits, &LoadLimits::maxFileBytes, bytes.size(), file, 0, diagnostics);
         try {
-            if (looksLikeGzip(bytes)) return add(gunzip(bytes, options.limits.archive()), file);
-            if (!looksLikeZip(bytes)) return add(std::move(bytes), file);
-            Archive archive(std::move(bytes), options.limits.archive());
+            if (looksLikeGzip(bytes))
+                return add(gunzip(bytes, archiveLimits(options.limits)), file, progress);
+            if (!looksLikeZip(bytes)) return add(std::move(bytes), file, progress);
+            Archive archive(std::move(bytes), archiveLimits(options.limits));
             std::string doubt;
             const std::string member = archive.rootDocument(&doubt);
             if (!doubt.empty()) diagnostics.report(Code::RootGuessed, file, 1, {doubt, member});
             Bytes document = archive.read(member);
             surroundings.useArchive(std::move(archive));
-            return add(std::move(document), member);
+            return add(std::move(document), member, progress);
         } catch (const ArchiveTooLarge& error) {
             requireWithin(options.limits, limitOf(error), error.amount, file, 0, diagnostics);
             throw;
@@ -82,10 +87,13 @@ struct DocumentSet::Impl {
             if (const ColladaDocument* document = inAnyCase(from, path)) return document;
         } catch (
             const LoadError& error) {  // what is wrong in it has been reported with its own file and line
-            reason = error.diagnostics.back().message;
+            if (error.cancelled()) throw;
+            reason = error.reason().message;
         } catch (const FileTooLarge& error) {
             reason = limitText(error.amount, options.limits, &LoadLimits::maxFileBytes);
-        } catch (const std::runtime_error& error) {  // FileError, ArchiveError
+        } catch (const FileError& error) {
+            reason = error.what();
+        } catch (const ArchiveError& error) {
             reason = error.what();
         }
         diagnostics.report(unopened, Code::ExternalMissing, from,
@@ -94,11 +102,12 @@ struct DocumentSet::Impl {
     }
 };
 
-DocumentSet::DocumentSet(const LoadOptions& options, Diagnostics& diagnostics)
-    : impl_(new Impl{options, diagnostics, {options, diagnostics}, {}}) {}
+DocumentSet::DocumentSet(const LoadOptions& options, Diagnostics& diagnostics, LoadProgress* progress)
+    : impl_(new Impl{options, diagnostics, progress, {options, diagnostics}, {}}) {}
 DocumentSet::~DocumentSet() = default;
 
 const ColladaDocument& DocumentSet::openFile(const std::string& path) {
+    if (impl_->progress) impl_->progress->documentIs(0.0);
     Bytes bytes;
     try {
         bytes = readFile(path, impl_->options.limits.maxFileBytes);
@@ -159,6 +168,11 @@ std::optional<Bytes> DocumentSet::readBeside(const XmlNode& from, const std::str
     const fs::path full = fs::path(from.file()).parent_path() / path;
     foundPath = full.lexically_normal().string();
     return impl_->surroundings.read(from, full, most);
+}
+
+std::optional<Bytes> DocumentSet::readAsGiven(const std::string& path) {
+    if (impl_->options.resolver) return impl_->surroundings.resolved(path);
+    return readFile(path, impl_->options.limits.maxFileBytes);
 }
 
 std::string DocumentSet::plainFileBeside(const XmlNode& from, const std::string& path) const {

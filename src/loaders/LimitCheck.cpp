@@ -66,6 +66,10 @@ void requireWithin(const LoadLimits& limits, std::uint64_t LoadLimits::*limit, s
     diagnostics.fail(Code::LimitExceeded, file, line, {words.amount, words.unit, words.name, words.value});
 }
 
+ArchiveLimits archiveLimits(const LoadLimits& limits) {
+    return {limits.maxArchiveBytes, limits.maxArchiveEntries, limits.maxArchiveRatio};
+}
+
 std::uint64_t LoadLimits::*limitOf(const ArchiveTooLarge& error) {
     return error.limit == &ArchiveLimits::maxTotalBytes ? &LoadLimits::maxArchiveBytes
            : error.limit == &ArchiveLimits::maxEntries  ? &LoadLimits::maxArchiveEntries

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/Archive.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/LoadLimits.h"
 #include "loaders/XmlNode.h"
@@ -23,6 +24,8 @@ struct LimitWords {
 
 // "1025 bytes of a file are over the limit file-bytes=1024", for what goes on without the file.
 std::string limitText(std::uint64_t amount, const LoadLimits& limits, std::uint64_t LoadLimits::*limit);
+
+ArchiveLimits archiveLimits(const LoadLimits& limits);
 
 // The same limits as io names them in what it throws.
 std::uint64_t LoadLimits::*limitOf(const ArchiveTooLarge& error);

@@ -1,6 +1,7 @@
 #include "loaders/LoadContext.h"
 
 #include "loaders/LimitCheck.h"
+#include "loaders/LoadProgress.h"
 
 namespace walkcycle {
 
@@ -11,6 +12,15 @@ void LoadContext::require(std::uint64_t amount, std::uint64_t LoadLimits::*limit
 
 void LoadContext::checkCancelled(const XmlNode& where) const {
     if (options.cancelled && options.cancelled()) diagnostics.fail(Code::Cancelled, where, {});
+}
+
+void LoadContext::advance(double work) const {
+    if (progress) progress->advance(work);
+}
+
+PieceRead LoadContext::pieceRead() const {
+    if (!progress) return {};
+    return [told = progress](std::size_t characters) { told->advance(static_cast<double>(characters)); };
 }
 
 }  // namespace walkcycle

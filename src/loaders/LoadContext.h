@@ -3,11 +3,13 @@
 #include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/LoadOptions.h"
+#include "loaders/NumberParser.h"
 #include "loaders/Source.h"
 
 namespace walkcycle {
 
 class Dialects;
+class LoadProgress;
 class PicturesAhead;
 
 // What every loader of one load shares.
@@ -16,12 +18,18 @@ struct LoadContext {
     Diagnostics& diagnostics;
     DocumentSet& documents;
     SourceReader& sources;
-    Dialects& dialects;              // which quirks of exporters the documents are read with
-    PicturesAhead* ahead = nullptr;  // where pictures are decoded while meshes are read
+    Dialects& dialects;                // which quirks of exporters the documents are read with
+    PicturesAhead* ahead = nullptr;    // where pictures are decoded while meshes are read
+    LoadProgress* progress = nullptr;  // null: nobody is told
 
     // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).
     void require(std::uint64_t amount, std::uint64_t LoadLimits::*limit, const XmlNode& where) const;
+    // Throws LoadError WC0802 where the caller wants no more.
     void checkCancelled(const XmlNode& where) const;
+    // So much of the stage's work is done (see LoadProgress); also throws where the caller wants no more.
+    void advance(double work) const;
+    // The same for who reads numbers.
+    PieceRead pieceRead() const;
 };
 
 }  // namespace walkcycle

@@ -3,13 +3,12 @@
 #include <cstdint>
 #include <string_view>
 
-#include "io/Archive.h"
 #include "io/Image.h"
 
 namespace walkcycle {
 
-// What a load may cost: files come from strangers. Honest files of 150 MB fit under the defaults; every message of a
-// limit names it, and --limit NAME=VALUE raises it. kLimits below says what each is for.
+// What a load may cost: files come from strangers. Honest files of 150 MB fit under the defaults, and every message of a
+// limit names it. kLimits below says what each counts and why it is there. A limit of 0 allows nothing of its kind.
 struct LoadLimits {
     std::uint64_t maxFileBytes = std::uint64_t{1} << 30;
     std::uint64_t maxElements = 20'000'000;
@@ -31,21 +30,21 @@ struct LoadLimits {
     std::uint64_t maxImageDimension = ImageLimits{}.maxDimension;
     std::uint64_t maxImagePixels = ImageLimits{}.maxPixels;
     std::uint64_t maxTotalPixels = 4 * ImageLimits{}.maxPixels;
-    std::uint64_t maxArchiveBytes = ArchiveLimits{}.maxTotalBytes;
-    std::uint64_t maxArchiveEntries = ArchiveLimits{}.maxEntries;
-    std::uint64_t maxArchiveRatio = ArchiveLimits{}.maxRatio;
+    std::uint64_t maxArchiveBytes = std::uint64_t{1} << 30;
+    std::uint64_t maxArchiveEntries = 10'000;
+    std::uint64_t maxArchiveRatio = 200;
     std::uint64_t maxMessages = 1000;
 
     ImageLimits image() const { return {maxImageDimension, maxImagePixels}; }
-    ArchiveLimits archive() const { return {maxArchiveBytes, maxArchiveEntries, maxArchiveRatio}; }
 };
 
+// A limit as messages and pages tell of it.
 struct LimitInfo {
-    std::string_view name;  // in messages, and in --limit name=value
+    std::string_view name;  // "influences"
     std::uint64_t LoadLimits::*value;
     std::string_view unit;  // "1025 <unit> are over the limit influences=1024"
     std::string_view why;
-    std::uint64_t most = UINT64_MAX;  // it cannot be raised beyond that
+    std::uint64_t most = UINT64_MAX;  // the largest value that it can have
 };
 
 // Every limit there is; docs/limits.md is made from these rows.
@@ -108,13 +107,14 @@ inline constexpr LimitInfo kLimits[] = {
      "After that many, only codes are told apart, and the rest is counted. Nothing fails."},
 };
 
-// Null where there is no limit of that name.
+// The row of the limit that has this name; null where there is none.
 constexpr const LimitInfo* findLimit(std::string_view name) {
     for (const LimitInfo& limit : kLimits)
         if (limit.name == name) return &limit;
     return nullptr;
 }
 
+// The row of a member of LoadLimits: limitInfo(&LoadLimits::maxNodes).
 constexpr const LimitInfo& limitInfo(std::uint64_t LoadLimits::*value) {
     const LimitInfo* found = kLimits;
     while (found->value != value) ++found;

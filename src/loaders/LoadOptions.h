@@ -1,47 +1,83 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "io/File.h"
+#include "loaders/FileResolver.h"
 #include "loaders/LoadLimits.h"
 #include "model/Model.h"
 
 namespace walkcycle {
 
+// The document and the model while both are open, for the rules of other programs: see profiles/Profile.h. What is inside
+// belongs to the library.
 struct Inspection;
 
-// Whether an instance_controller's node moves its skin: the quirk skin-by-node, as the document's tool decides, on or off.
-enum class SkinNode { Auto, Apply, Ignore };
-
-// Reads another file that a document refers to: given the path as resolved against the document's own, gives its
-// bytes, or nothing where there is none. For documents in memory.
-using FileResolver = std::function<std::optional<Bytes>(const std::string& path)>;
-
-struct LoadOptions {
-    bool convert = true;                  // to Y-up metres, once, at the root
-    std::optional<UpAxis> upAxis;         // instead of the document's own
-    std::optional<double> metersPerUnit;  // instead of the document's own
-    SkinNode skinNode = SkinNode::Auto;
-    // Quirks of exporters by name, on (true) or off, instead of what the document's tool says. Goes before skinNode.
-    // docs/collada-notes.md lists them; std::invalid_argument where one is not there.
-    std::map<std::string, bool> quirks;
-    std::string scene;    // the visual_scene to show, by id or name; empty: the one that <scene> names
-    std::string texture;  // a picture to use for every diffuse texture
-    std::vector<std::string> allowedPaths;  // folders outside the document's own that may be read
-    bool loadImages = true;
-    bool imagePixels = true;  // without them, Image::rgba may be empty: only the size is known
-    double tolerance =
-        1e-4;  // largest error of the keyframes against the file's curves, as a share of the model's size
-    LoadLimits limits;
-    std::function<void(double)> progress;  // called with 0..1 now and then
-    std::function<bool()> cancelled;       // asked now and then; true stops the load with LoadError WC0802
-    FileResolver resolver;                 // where set, no file is opened at all
-    std::function<void(const Inspection&)> inspector;  // called once the model is made; see Inspection.h
+// Whether the node of an <instance_controller> moves its skin as well as the skin's joints do. COLLADA 1.4.1 (chapter 4,
+// "Skin Deformation (or Skinning) in COLLADA") places a skin by its joints alone; ColladaMaya and Softimage mean both.
+enum class SkinNode {
+    Auto,   // as the exporter of the file means it
+    Apply,  // the node moves the skin
+    Ignore  // the joints alone do
 };
+
+// How a document is read, and what that may cost. The defaults fit a file from a stranger.
+struct LoadOptions {
+    // Convert to metres with Y up: in Skeleton::rootTransform, so that model transforms are converted and vertex data
+    // stay as in the file. Without, everything is in the document's own unit and axes.
+    bool convert = true;
+    std::optional<UpAxis> upAxis;         // instead of the document's <up_axis>
+    std::optional<double> metersPerUnit;  // instead of the document's <unit meter>; 1e-12 to 1e12
+    SkinNode skinNode = SkinNode::Auto;
+    // Quirks of exporters by name, on (true) or off, instead of what the document's tool says; they go before skinNode.
+    // docs/collada-notes.md lists the names.
+    std::map<std::string, bool> quirks;
+    std::string scene;  // the <visual_scene> to show, by id or name; empty: the one that <scene> names
+
+    std::string texture;  // the path of a picture to use for every diffuse texture; empty: those of the file
+    bool loadImages = true;   // without, textures have a path and no image
+    bool imagePixels = true;  // without, Image::rgba may be empty: only width, height and hasAlpha are known
+
+    // Folders outside the document's own whose files the document may refer to. What is in none of them is not opened
+    // (WC0208).
+    std::vector<std::string> allowedPaths;
+    // Where set, other documents and pictures (also `texture`) are asked of it, and no file is opened but the one whose
+    // path is given to loadCollada.
+    FileResolver resolver;
+
+    // Largest distance between the key frames of Model::animations and the file's own curves, as a share of the model's
+    // size. A number over 0.
+    double tolerance = 1e-4;
+    LoadLimits limits;
+
+    // Called with the share of the work that is done: values that rise, the last of them 1; some hundred at most. On the
+    // thread of the load.
+    std::function<void(double)> progress;
+    // Asked between pieces of work that take some ten milliseconds; true stops the load with a LoadError whose cancelled()
+    // is true, and nothing more is called. On the thread of the load.
+    std::function<bool()> cancelled;
+    // Called once the model is made, while its document is still open.
+    std::function<void(const Inspection&)> inspector;
+};
+
+// Whether a unit of so many metres can be used, of an option as of a document: from 1e-12 to 1e12.
+constexpr bool isUsableUnit(double metersPerUnit) {
+    return metersPerUnit >= 1e-12 && metersPerUnit <= 1e12;
+}
+
+// A value of LoadOptions that no load can use. what() names it: "LoadOptions::tolerance is 0; it must be a number over 0".
+struct InvalidOption : std::invalid_argument {
+    InvalidOption(const std::string& nameOfOption, const std::string& value, const std::string& whatItMustBe);
+
+    std::string option;  // "tolerance", "metersPerUnit", "limits.nesting"
+    std::string must;    // "must be a number over 0"
+};
+
+// Throws InvalidOption where a value cannot be used; loadCollada begins with it.
+void requireValid(const LoadOptions& options);
 
 }  // namespace walkcycle

@@ -2,12 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <future>
-#include <system_error>
-#include <thread>
 
-#include "loaders/NumberBlock.h"
 #include "loaders/NumberToken.h"
 #include "loaders/PlainNumber.h"
 
@@ -44,8 +39,9 @@ std::size_t estimateWords(std::string_view text) {
 template <typename T>
 class ListReader {
 public:
-    ListReader(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults)
-        : text_(text), values_(values), faults_(faults), before_(values.size()) {}
+    ListReader(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
+               const PieceRead& pieceRead)
+        : text_(text), values_(values), faults_(faults), pieceRead_(pieceRead), before_(values.size()) {}
 
     // Makes room for about so many values.
     void reserve(std::size_t more) {
@@ -58,7 +54,12 @@ public:
     // All words but the last few are read where they stand; those from a copy with more behind it.
     void read() {
         const std::size_t tail = lastWords();
-        if (tail > 0) readWords(text_.data(), text_.data() + tail, 0);
+        for (std::size_t at = 0; at < tail;) {
+            const std::size_t end = endOfPiece(at, tail);
+            readWords(text_.data() + at, text_.data() + end, at);
+            if (pieceRead_) pieceRead_(end - at);
+            at = end;
+        }
         constexpr std::string_view kBehind = " 0       ";
         const std::string_view last = text_.substr(tail);
         std::array<char, 64> few;
@@ -68,9 +69,19 @@ public:
         std::copy(last.begin(), last.end(), copy);
         std::copy(kBehind.begin(), kBehind.end(), copy + last.size());
         readWords(copy, copy + last.size() + 1, tail);
+        if (pieceRead_) pieceRead_(last.size());
     }
 
 private:
+    // Where a word begins, some milliseconds of reading behind `at`; `most` (where one begins) at the end of the text.
+    std::size_t endOfPiece(std::size_t at, std::size_t most) const {
+        constexpr std::size_t kPiece = std::size_t{1} << 20;
+        if (most - at <= kPiece) return most;
+        std::size_t end = at + kPiece;
+        while (end < most && (isSpace(text_[end]) || !isSpace(text_[end - 1]))) ++end;
+        return end;
+    }
+
     // Where a word begins that has seven characters more behind its first; the text's start where there is none.
     std::size_t lastWords() const {
         std::size_t at = text_.size() < 8 ? 0 : text_.size() - 8;
@@ -81,7 +92,6 @@ private:
     // Reads up to `stop`, where a word begins; `offset` is where in the text the first character stands.
     void readWords(const char* const first, const char* const stop, std::size_t offset) {
         const char* at = first;
-        if constexpr (std::is_integral_v<T> && kFirstByteIsLowest) at = readBlocks(first, stop, offset);
         while (at < stop) {
             std::size_t count = 0;
             for (; count < block_.size(); ++count) {
@@ -91,29 +101,6 @@ private:
             }
             keep(count);
         }
-    }
-
-    // The same as far as whole blocks of characters go. Gives where it stopped, with no word half read.
-    const char* readBlocks(const char* const first, const char* const stop, std::size_t offset) {
-        const char* at = first;
-        while (stop - at >= NumberBlock::kSize) {
-            const NumberBlock block(at);
-            const std::size_t place = offset + static_cast<std::size_t>(at - first);
-            std::size_t count = 0;
-            unsigned from = NumberBlock::kSize;  // of the word that does not end in the block
-            for (std::uint64_t edges = block.edges(); edges != 0; edges &= edges - 1) {
-                from = static_cast<unsigned>(std::countr_zero(edges));
-                edges &= edges - 1;
-                if (edges == 0) break;
-                const auto to = static_cast<unsigned>(std::countr_zero(edges));
-                if (!block.read(from, to, block_[count])) readWord(at + from, place + from, count);
-                ++count;
-                from = NumberBlock::kSize;
-            }
-            at = from == 0 ? readWord(at, place, count++) : at + from;
-            keep(count);
-        }
-        return at;
     }
 
     // Into the block; gives where the word ends.
@@ -140,57 +127,17 @@ private:
     std::string_view text_;
     std::vector<T>& values_;
     std::vector<NumberFault>& faults_;
+    const PieceRead& pieceRead_;
     std::size_t before_;
     std::array<T, 64> block_;
 };
 
-// A second thread has to be started, and its numbers to be put behind the others: shorter lists gain nothing.
-constexpr std::size_t kWorthAThread = std::size_t{1} << 21;
-
-// Behind the white space that is nearest to the middle of a text, or behind it all.
-std::size_t middleOf(std::string_view text) {
-    std::size_t at = text.size() / 2;
-    while (at < text.size() && !isSpace(text[at])) ++at;
-    return at;
-}
-
 template <typename T>
-void parseWhole(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
-    ListReader<T> reader(text, values, faults);
+void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults,
+               const PieceRead& pieceRead) {
+    ListReader<T> reader(text, values, faults, pieceRead);
     reader.reserve(estimateWords(text));
     reader.read();
-}
-
-// Reads the second half on another thread, and puts it behind the first: all comes out as if read in one go.
-template <typename T>
-void parseHalves(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
-    const std::size_t before = values.size(), middle = middleOf(text);
-    const std::string_view half = text.substr(middle);
-    std::vector<T> others;
-    std::vector<NumberFault> otherFaults;
-    auto other = std::async(std::launch::async, [&] { parseWhole(half, others, otherFaults); });
-    ListReader<T> reader(text.substr(0, middle), values, faults);
-    reader.reserve(estimateWords(text));
-    reader.read();
-    other.get();
-    for (NumberFault& fault : otherFaults) {
-        if (faults.size() >= kMaxFaults) break;
-        fault.index += values.size() - before;
-        fault.offset += middle;
-        faults.push_back(fault);
-    }
-    values.insert(values.end(), others.begin(), others.end());
-}
-
-template <typename T>
-void parseList(std::string_view text, std::vector<T>& values, std::vector<NumberFault>& faults) {
-    if (text.size() < kWorthAThread || std::thread::hardware_concurrency() < 2)
-        return parseWhole(text, values, faults);
-    try {
-        parseHalves(text, values, faults);
-    } catch (const std::system_error&) {  // no more threads for us: nothing has been read yet
-        parseWhole(text, values, faults);
-    }
 }
 
 constexpr int kTokensAround = 3;
@@ -223,15 +170,17 @@ bool parseOne(std::string_view text, T& value) {
 
 }  // namespace
 
-void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults) {
-    parseList(text, values, faults);
+void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead) {
+    parseList(text, values, faults, pieceRead);
 }
-void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults) {
-    parseList(text, values, faults);
+void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead) {
+    parseList(text, values, faults, pieceRead);
 }
-void parseNumbers(std::string_view text, std::vector<std::int32_t>& values,
-                  std::vector<NumberFault>& faults) {
-    parseList(text, values, faults);
+void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead) {
+    parseList(text, values, faults, pieceRead);
 }
 
 std::string surroundings(std::string_view text, const NumberFault& fault) {

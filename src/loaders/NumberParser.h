@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,11 +17,18 @@ struct NumberFault {
     std::string_view token;
 };
 
-// Calls for each run of a list: parses white-space separated numbers until the text ends, appending to `values`
-// (a faulty token appends 0, and its fault to `faults`, the first maxFaults of them).
-void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults);
-void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults);
-void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std::vector<NumberFault>& faults);
+// Told of each piece of a text that was read, of so many characters: all of them together once the text is read. A piece
+// takes a few milliseconds. What it throws ends the reading.
+using PieceRead = std::function<void(std::size_t characters)>;
+
+// Parses white-space separated numbers until the text ends, appending to `values` (a faulty token appends 0, and its
+// fault to `faults`, the first kMaxFaults of them).
+void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead = {});
+void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead = {});
+void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std::vector<NumberFault>& faults,
+                  const PieceRead& pieceRead = {});
 inline constexpr std::size_t kMaxFaults = 16;
 
 // A faulty token with the few before and after it, so that it can be found in a long line: "... 0 1 1,5 3 4 ...".

@@ -7,6 +7,7 @@
 
 #include "io/Uri.h"
 #include "loaders/LimitCheck.h"
+#include "loaders/LoadProgress.h"
 #include "loaders/PicturesAhead.h"
 #include "loaders/Surroundings.h"
 
@@ -80,6 +81,7 @@ const PictureFinder::Picture& PictureFinder::find(XmlNode where, const std::stri
     if (!isNew) return entry->second;
     context_.checkCancelled(where);
     if (std::optional<File> file = search(where, uri)) entry->second = decode(where, uri, std::move(*file));
+    context_.advance(LoadProgress::kPerPicture);
     return entry->second;
 }
 
@@ -96,7 +98,10 @@ const PictureFinder::Picture& PictureFinder::chosenByUser() {
     const auto [entry, isNew] = pictures_.try_emplace({std::string(), path});
     if (!isNew) return entry->second;
     try {
-        entry->second = decode({}, path, {path, readFile(path, context_.options.limits.maxFileBytes)});
+        if (std::optional<Bytes> bytes = context_.documents.readAsGiven(path))
+            entry->second = decode({}, path, {path, std::move(*bytes)});
+        else
+            context_.diagnostics.report(Code::PictureMissing, path, 0, {path});
     } catch (const FileError& error) {
         context_.diagnostics.report(Code::PictureUnreadable, path, 0, {path, error.what()});
     }

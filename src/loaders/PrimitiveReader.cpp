@@ -59,7 +59,7 @@ CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::siz
 class Reader {
 public:
     Reader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
-        : kind_(kind), context_(context) {
+        : kind_(kind), context_(context), pieceRead_(context.pieceRead()) {
         out_.element = element;
         out_.inputs = readPrimitiveInputs(element, vertices, context);
         const bool lines = kind == Kind::Lines || kind == Kind::Linestrips;
@@ -96,7 +96,7 @@ private:
     std::size_t appendCorners(XmlNode p, std::size_t cornersPerGroup = 1) {
         const std::size_t before = out_.indices.size();
         faults_.clear();
-        parseNumbers(p.rawText(joined_), out_.indices, faults_);
+        parseNumbers(p.rawText(joined_), out_.indices, faults_, pieceRead_);
         if (!faults_.empty()) readInts(p, context_.diagnostics);  // says which, and in which line
         const std::size_t numbers = out_.indices.size() - before;
         const std::size_t group = cornersPerGroup * stride();
@@ -131,7 +131,7 @@ private:
             out_.indices.clear();
             return;
         }
-        const std::vector<std::int32_t> sizes = readInts(vcount, context_.diagnostics);
+        const std::vector<std::int32_t> sizes = readInts(vcount, context_.diagnostics, pieceRead_);
         held_ = sizes.size();
         std::size_t first = 0;
         std::uint64_t wanted = 0;
@@ -243,6 +243,7 @@ private:
 
     Kind kind_;
     const LoadContext& context_;
+    PieceRead pieceRead_;
     PrimitiveCorners out_;
     std::uint64_t held_ = 0;  // faces, fans, strips or lines in the file
     std::size_t tooSmall_ = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "loaders/AssetReader.h"
+#include "loaders/LoadProgress.h"
 #include "loaders/Spelling.h"
 
 namespace walkcycle {
@@ -31,6 +32,7 @@ void SkeletonLoader::add(const Visit& root, bool drawn) {
         context_.require(scene_.nodes.size() + 1 + waiting.size(), &LoadLimits::maxNodes, visit.node);
         context_.require(visit.depth, &LoadLimits::maxSceneDepth, visit.node);
         const int joint = addJoint(visit, drawn);
+        context_.advance(LoadProgress::kPerNode);
         if (drawn) addInstances(visit.node, joint);
         const std::vector<Visit> children = childrenOf(visit, joint);
         waiting.insert(waiting.end(), children.rbegin(), children.rend());

@@ -14,12 +14,13 @@ namespace walkcycle {
 namespace {
 
 template <typename T>
-std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {
+std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbers,
+                           const PieceRead& pieceRead) {
     std::vector<T> values;
     std::vector<NumberFault> faults;
     std::string joined;
     const std::string_view text = node.rawText(joined);
-    parseNumbers(text, values, faults);
+    parseNumbers(text, values, faults, pieceRead);
     for (const NumberFault& fault : faults) {
         const std::string token(fault.token), name(node.name());
         std::string around = surroundings(text, fault);
@@ -195,6 +196,7 @@ struct SourceReader::Impl {
     DocumentSet& documents;
     Diagnostics& diagnostics;
     Dialects& dialects;
+    PieceRead pieceRead;
     std::unordered_map<XmlNode, std::shared_ptr<const FloatSource>> floats;
     std::unordered_map<XmlNode, std::shared_ptr<const DoubleSource>> doubles;
     std::unordered_map<XmlNode, std::shared_ptr<const NameSource>> names;
@@ -226,12 +228,13 @@ struct SourceReader::Impl {
     template <typename T>
     std::shared_ptr<Source<T>> numbers(XmlNode source, Numbers numbers) {
         return read<T>(source, isNumberArray,
-                       [&](XmlNode array) { return readNumbers<T>(array, diagnostics, numbers); });
+                       [&](XmlNode array) { return readNumbers<T>(array, diagnostics, numbers, pieceRead); });
     }
 };
 
-SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects)
-    : impl_(new Impl{documents, diagnostics, dialects, {}, {}, {}, {}}) {}
+SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects,
+                           PieceRead pieceRead)
+    : impl_(new Impl{documents, diagnostics, dialects, std::move(pieceRead), {}, {}, {}, {}}) {}
 SourceReader::~SourceReader() = default;
 
 std::shared_ptr<const FloatSource> SourceReader::floats(XmlNode source, Numbers numbers) {
@@ -262,17 +265,21 @@ void SourceReader::forgetFloats() {
 std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref, Severity miscounted) {
     isIdref = static_cast<bool>(source.child("IDREF_array"));
     const auto [entry, isNew] = impl_->names.try_emplace(source);
-    const auto readArray = [this](XmlNode array) { return readNames(array, impl_->dialects); };
-    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readArray, miscounted);
+    const auto readAndTell = [&](XmlNode array) {
+        std::string joined;
+        if (impl_->pieceRead) impl_->pieceRead(array.rawText(joined).size());
+        return readNames(array, impl_->dialects);
+    };
+    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readAndTell, miscounted);
     return entry->second;
 }
 
 std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {
-    return readNumbers<double>(node, diagnostics, numbers);
+    return readNumbers<double>(node, diagnostics, numbers, {});
 }
 
-std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics) {
-    return readNumbers<std::int32_t>(node, diagnostics, Numbers::Error);
+std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics, const PieceRead& pieceRead) {
+    return readNumbers<std::int32_t>(node, diagnostics, Numbers::Error, pieceRead);
 }
 
 }  // namespace walkcycle

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "loaders/NumberParser.h"
 #include "loaders/XmlNode.h"
 #include "model/Diagnostic.h"
 
@@ -42,7 +43,8 @@ using NameSource = Source<std::string>;  // isIdref tells IDREF_array from Name_
 // Reads <source> elements: each once, cached for the load (packed values are shared).
 class SourceReader {
 public:
-    SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects);
+    // `pieceRead` is told of the lists of numbers as they are read.
+    SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects, PieceRead pieceRead = {});
     ~SourceReader();
 
     // `source` is the <source> element. Faults are reported: a count that disagrees with the data (WC0205, WC0211;
@@ -82,6 +84,6 @@ std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostic
 
 // The numbers of an element's text: a <matrix>, <p>, <vcount>, <v> ... Faults are reported with their own line.
 std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers);
-std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics);
+std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics, const PieceRead& pieceRead = {});
 
 }  // namespace walkcycle

@@ -84,10 +84,17 @@ bool Surroundings::mayOpen(const fs::path& path) const {
         [&](const std::string& allowed) { return isInside(meant, trueLocation(fs::path(allowed), error)); });
 }
 
+// The answers are kept: two textures may name one picture by different URIs, and a search tries some paths twice.
+std::optional<Bytes> Surroundings::resolved(const std::string& path) const {
+    auto known = resolved_.find(path);
+    if (known == resolved_.end()) known = resolved_.emplace(path, options_.resolver(path)).first;
+    return known->second.found() ? std::optional(known->second.bytes()) : std::nullopt;
+}
+
 std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& path, std::size_t most) const {
     const std::string normal = path.lexically_normal().string();
     if (archive_) return archive_->contains(normal) ? std::optional(archive_->read(normal)) : std::nullopt;
-    if (options_.resolver) return options_.resolver(normal);
+    if (options_.resolver) return resolved(normal);
     if (!root_) return std::nullopt;
     if (!mayOpen(path)) {
         diagnostics_.report(Code::ExternalRefused, from, {path.string()});

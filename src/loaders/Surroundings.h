@@ -29,6 +29,8 @@ public:
     // Of a file on disk no more than `most` bytes.
     std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path,
                               std::size_t most = SIZE_MAX) const;
+    // What the caller's resolver has at a path; it is asked once. Nothing where it has none. There must be a resolver.
+    std::optional<Bytes> resolved(const std::string& path) const;
     // Whether that is a file on disk which read() would open.
     bool isPlainFile(const std::filesystem::path& path) const;
     // False where a folder is certainly not there, so that nothing need be looked for inside.
@@ -44,6 +46,7 @@ private:
     Diagnostics& diagnostics_;
     std::optional<Archive> archive_;
     std::unordered_map<std::string, std::vector<std::string>> listed_;
+    mutable std::unordered_map<std::string, ResolvedFile> resolved_;  // what the resolver said, by path
     mutable std::unordered_map<std::string, std::filesystem::path> folders_;  // where they truly are
     std::optional<std::filesystem::path>
         root_;  // canonical; none: a document in memory, with no files around it

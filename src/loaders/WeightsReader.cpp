@@ -66,7 +66,7 @@ public:
           layout_(layout),
           jointCount_(jointCount),
           weightCount_(layout.weights ? layout.weights->count() : 0),
-          v_(readInts(element.child("v"), context.diagnostics)) {}
+          v_(readInts(element.child("v"), context.diagnostics, context.pieceRead())) {}
 
     std::size_t groupCount() const { return v_.size() / layout_.stride; }
 
@@ -166,7 +166,7 @@ void checkCount(XmlNode vertexWeights, std::size_t vcounts, Diagnostics& diagnos
 std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, std::size_t positionCount,
                                      const LoadContext& context) {
     const XmlNode element = vertexWeights.child("vcount");
-    const std::vector<std::int32_t> counts = readInts(element, context.diagnostics);
+    const std::vector<std::int32_t> counts = readInts(element, context.diagnostics, context.pieceRead());
     checkCount(vertexWeights, counts.size(), context.diagnostics);
     std::vector<std::size_t> usable;
     std::size_t used = 0;

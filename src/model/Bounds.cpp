@@ -1,4 +1,9 @@
+#include "model/Bounds.h"
+
 #include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "animation/Animator.h"
 #include "model/CpuSkinning.h"
@@ -17,6 +22,20 @@ bool mayBeSeen(const Model& model, int node) {
 }
 
 }  // namespace
+
+void Bounds::add(const glm::vec3& point) {
+    min = glm::min(min, point);
+    max = glm::max(max, point);
+}
+
+void Bounds::add(const Bounds& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+}
+
+float Bounds::diagonal() const {
+    return empty() ? 0.0f : glm::length(max - min);
+}
 
 Bounds bounds(const Model& model, const std::vector<glm::mat4>& modelTransforms,
               std::span<const float> parameters) {

@@ -9,28 +9,15 @@
 #include <glm/matrix.hpp>
 
 #include "animation/SkinPlacement.h"
+#include "model/Deformers.h"
+#include "model/SkinningKernel.h"
+#include "model/SmoothNormals.h"
 
 namespace walkcycle {
 namespace {
 
 constexpr std::size_t index(int i) {
     return static_cast<std::size_t>(i);
-}
-
-float weightSum(const MorphTargets& morph, std::span<const float> parameters) {
-    float sum = 0.0f;
-    for (std::size_t t = 0; t < morph.targets.size(); ++t) sum += parameters[index(morph.firstParameter) + t];
-    return sum;
-}
-
-// The share of the input shape in the result of a stack of morphs: 1, unless morphs are NORMALIZED.
-float shareOfInput(const Model& model, std::span<const Deformer> morphs, std::span<const float> parameters) {
-    float share = 1.0f;
-    for (const Deformer& deformer : morphs) {
-        const MorphTargets& morph = model.morphs[index(deformer.index)];
-        if (morph.method == MorphMethod::Normalized) share *= 1.0f - weightSum(morph, parameters);
-    }
-    return share;
 }
 
 // The matrix that transforms normals: the inverse transpose of `matrix`, up to a positive factor. It is made
@@ -60,54 +47,9 @@ void mixWith(std::vector<glm::vec3>& values, const std::vector<glm::vec3>& base,
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] * share + base[i] * (1.0f - share);
 }
 
-}  // namespace
-
-void Bounds::add(const glm::vec3& point) {
-    min = glm::min(min, point);
-    max = glm::max(max, point);
-}
-
-void Bounds::add(const Bounds& other) {
-    min = glm::min(min, other.min);
-    max = glm::max(max, other.max);
-}
-
-float Bounds::diagonal() const {
-    return empty() ? 0.0f : glm::length(max - min);
-}
-
-void morphCoefficients(const Model& model, std::span<const Deformer> deformers,
-                       std::span<const float> parameters, std::vector<float>& coefficients) {
-    coefficients.clear();
-    for (const Deformer& deformer : deformers) {
-        assert(deformer.kind == Deformer::Kind::Morph);
-        const MorphTargets& morph = model.morphs[index(deformer.index)];
-        if (morph.method == MorphMethod::Normalized) {
-            const float left = 1.0f - weightSum(morph, parameters);
-            for (float& coefficient : coefficients) coefficient *= left;
-        }
-        for (std::size_t t = 0; t < morph.targets.size(); ++t) {
-            coefficients.push_back(parameters[index(morph.firstParameter) + t]);
-        }
-    }
-}
-
-bool makesNormals(const Model& model, const MeshInstance& instance) {
-    const MeshData& mesh = model.meshes[index(instance.mesh)];
-    return !instance.deformers.empty() && !mesh.madeNormals.faces.rings.empty() && mesh.tangents.empty();
-}
-
-bool shaderCanDeform(const Model& model, const MeshInstance& instance) {
-    if (makesNormals(model, instance)) return false;
-    std::size_t morphs = 0;
-    while (morphs < instance.deformers.size() && instance.deformers[morphs].kind == Deformer::Kind::Morph)
-        ++morphs;
-    return morphs + 1 >= instance.deformers.size();
-}
-
 // An instance while its deformers are applied. Positions are in the mesh's own space, which morphs and skins
 // expect, or, after a skin, in model space.
-struct CpuSkinning::Work {
+struct Work {
     const Model& model;
     const MeshInstance& instance;
     const MeshData& mesh;
@@ -141,7 +83,24 @@ struct CpuSkinning::Work {
     }
 };
 
-void CpuSkinning::morph(Work& work, std::span<const Deformer> morphs) {
+}  // namespace
+
+struct CpuSkinning::Impl {
+    void deform(Work& work);
+    void morph(Work& work, std::span<const Deformer> morphs);
+    void skin(Work& work, const Deformer& deformer);
+    void makeNormals(Work& work);
+
+    // Kept between calls, so that a frame allocates nothing.
+    std::vector<glm::mat4> palette;
+    std::vector<float> coefficients;
+    std::vector<NormalTurn> turns;
+    std::vector<glm::vec3> positions;
+    std::vector<bool> mirrored;  // per position: its skins turn inside out
+    SmoothNormals smoothNormals;
+};
+
+void CpuSkinning::Impl::morph(Work& work, std::span<const Deformer> morphs) {
     work.goToMeshSpace();
     // Deltas are differences to the file's mesh. If a NORMALIZED morph follows a skin, its input is not the
     // file's mesh, so blend from the input to the file's mesh first.
@@ -150,11 +109,11 @@ void CpuSkinning::morph(Work& work, std::span<const Deformer> morphs) {
         mixWith(work.positions, work.mesh.positions, share);
         if (work.normals) mixWith(*work.normals, work.mesh.normals, share);
     }
-    morphCoefficients(work.model, morphs, work.parameters, coefficients_);
+    morphCoefficients(work.model, morphs, work.parameters, coefficients);
     std::size_t next = 0;
     for (const Deformer& deformer : morphs) {
         for (const MorphTarget& target : work.model.morphs[index(deformer.index)].targets) {
-            const float coefficient = coefficients_[next++];
+            const float coefficient = coefficients[next++];
             if (coefficient == 0.0f) continue;
             addScaled(work.positions, target.positionDeltas, coefficient);
             if (work.normals) addScaled(*work.normals, target.normalDeltas, coefficient);
@@ -162,36 +121,36 @@ void CpuSkinning::morph(Work& work, std::span<const Deformer> morphs) {
     }
 }
 
-void CpuSkinning::skin(Work& work, const Deformer& deformer) {
+void CpuSkinning::Impl::skin(Work& work, const Deformer& deformer) {
     work.goToMeshSpace();
-    computePalette(work.model.skins[index(deformer.index)], work.modelTransforms, palette_);
+    computePalette(work.model.skins[index(deformer.index)], work.modelTransforms, palette);
     const Influences& influences = work.model.influences[index(deformer.influences)];
     assert(influences.first.size() == work.positions.size() + 1);
-    skinPositions(influences, palette_, work.positions, work.positions,
-                  work.normals || work.made ? &turns_ : nullptr);
-    if (work.normals) turnNormals(turns_, work.mesh.vertexPositions, *work.normals, *work.normals);
-    for (std::size_t p = 0; work.made && p < turns_.size(); ++p)
-        if (turns_[p].isMirror()) mirrored_[p] = !mirrored_[p];
+    skinPositions(influences, palette, work.positions, work.positions,
+                  work.normals || work.made ? &turns : nullptr);
+    if (work.normals) turnNormals(turns, work.mesh.vertexPositions, *work.normals, *work.normals);
+    for (std::size_t p = 0; work.made && p < turns.size(); ++p)
+        if (turns[p].isMirror()) mirrored[p] = !mirrored[p];
     work.inModelSpace = true;
     work.wasSkinned = true;
 }
 
 // Creases are those of the deformed shape: a part that is flat at rest may be folded now. If a deformer
 // mirrors the surface, its normals are flipped, so that they point outside again.
-void CpuSkinning::makeNormals(Work& work) {
+void CpuSkinning::Impl::makeNormals(Work& work) {
     const MadeNormals& mesh = work.mesh.madeNormals;
     const std::vector<glm::vec3>& normals =
-        smoothNormals_.make(mesh.faces, mesh.meetings, work.positions, work.positions);
+        smoothNormals.make(mesh.faces, mesh.meetings, work.positions, work.positions);
     for (std::size_t c = 0; c < normals.size(); ++c) {
         const std::uint32_t vertex = mesh.cornerVertices[c];
         if (vertex == kNoVertex) continue;
-        const bool inside = mirrored_[work.mesh.vertexPositions[vertex]] != work.mirrored;
+        const bool inside = mirrored[work.mesh.vertexPositions[vertex]] != work.mirrored;
         (*work.made)[vertex] = inside ? -normals[c] : normals[c];
     }
     work.normals = work.made;  // the last transform applies to them, too
 }
 
-void CpuSkinning::deform(Work& work) {
+void CpuSkinning::Impl::deform(Work& work) {
     const std::span<const Deformer> deformers = work.instance.deformers;
     for (std::size_t i = 0; i < deformers.size();) {
         if (deformers[i].kind == Deformer::Kind::Skin) {
@@ -206,13 +165,18 @@ void CpuSkinning::deform(Work& work) {
     work.goToModelSpace();
 }
 
+CpuSkinning::CpuSkinning() : impl_(std::make_unique<Impl>()) {}
+CpuSkinning::~CpuSkinning() = default;
+CpuSkinning::CpuSkinning(CpuSkinning&&) noexcept = default;
+CpuSkinning& CpuSkinning::operator=(CpuSkinning&&) noexcept = default;
+
 void CpuSkinning::positions(const Model& model, const MeshInstance& instance,
                             const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
                             std::vector<glm::vec3>& out) {
     const MeshData& mesh = model.meshes[index(instance.mesh)];
     out = mesh.positions;
     Work work{model, instance, mesh, modelTransforms, parameters, out, nullptr, nullptr};
-    deform(work);
+    impl_->deform(work);
 }
 
 void CpuSkinning::vertices(const Model& model, const MeshInstance& instance,
@@ -220,23 +184,25 @@ void CpuSkinning::vertices(const Model& model, const MeshInstance& instance,
                            std::vector<glm::vec3>& outPositions, std::vector<glm::vec3>& outNormals) {
     const MeshData& mesh = model.meshes[index(instance.mesh)];
     assert(mesh.normals.size() == mesh.vertexCount());
-    work_ = mesh.positions;
+    std::vector<glm::vec3>& positions = impl_->positions;
+    positions = mesh.positions;
     outNormals = mesh.normals;
     const bool makes = makesNormals(model, instance);
-    if (makes) mirrored_.assign(mesh.positions.size(), false);
+    if (makes) impl_->mirrored.assign(mesh.positions.size(), false);
     Work work{model,
               instance,
               mesh,
               modelTransforms,
               parameters,
-              work_,
+              positions,
               makes ? nullptr : &outNormals,
               makes ? &outNormals : nullptr};
-    deform(work);
+    impl_->deform(work);
     if (makes)  // other normals have unit length already
         for (glm::vec3& normal : outNormals) normal = unit(normal);
     outPositions.resize(mesh.vertexCount());
-    for (std::size_t v = 0; v < outPositions.size(); ++v) outPositions[v] = work_[mesh.vertexPositions[v]];
+    for (std::size_t v = 0; v < outPositions.size(); ++v)
+        outPositions[v] = positions[mesh.vertexPositions[v]];
 }
 
 }  // namespace walkcycle

@@ -9,4 +9,14 @@ std::vector<float> Model::restParameters() const {
     return values;
 }
 
+const Animation& Model::animation(std::string_view name) const {
+    std::string names;
+    for (const Animation& one : animations) {
+        if (one.name == name) return one;
+        names.append(names.empty() ? "'" : ", '").append(one.name).append("'");
+    }
+    throw NoSuchClip("there is no clip '" + std::string(name) + "'; " +
+                     (names.empty() ? "nothing in '" + file + "' moves" : "there are " + names));
+}
+
 }  // namespace walkcycle

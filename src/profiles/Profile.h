@@ -8,8 +8,7 @@ namespace walkcycle {
 
 struct Inspection;
 
-// A program or format that a document is checked for. Each has rules: what its importer skips, rejects or
-// misreads. A new one is a file of rules and a row of the table in Profile.cpp.
+// A program or format that a document is checked for. Each has rules: what its importer skips, rejects or misreads.
 enum class Profile { Gltf, Gazebo, SecondLife, ThinMatrix };
 
 // Their names, in the order of the enum: "gltf", "gazebo", "secondlife", "thinmatrix".

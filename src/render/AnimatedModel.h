@@ -1,10 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "animation/Animator.h"
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 #include "model/Model.h"
 #include "model/SceneState.h"
 
@@ -28,6 +29,7 @@ public:
     // These are the Animator's. The clip is one of this model, or made for its skeleton and outliving this.
     void doAnimation(const Animation& animation);
     void doAnimation(const Animation&& temporary) = delete;
+    void doAnimation(std::string_view clip) { doAnimation(model_->animation(clip)); }  // throws NoSuchClip
     void update(double seconds);
     void setTime(double seconds);
     void step(double seconds);

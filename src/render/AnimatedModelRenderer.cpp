@@ -11,6 +11,7 @@
 #include "render/Drawing.h"
 #include "render/FileLights.h"
 #include "render/InstanceStates.h"
+#include "render/PictureState.h"
 #include "render/SkeletonRenderer.h"
 #include "render/VertexInput.h"
 
@@ -53,7 +54,6 @@ struct AnimatedModelRenderer::Impl {
     FileLights lights;
     BufferTexture lightTexture{GL_RGBA32F};
     std::vector<Draw> solid, seeThrough;
-    ScreenArea drawnArea;
     BackgroundRenderer background;
     std::optional<SkeletonRenderer> skeleton;  // made when it is first needed
     std::optional<Wireframe> wireframe;
@@ -205,11 +205,8 @@ void AnimatedModelRenderer::render(const AnimatedModel& model, const Camera& cam
         impl_->background.render(options, encodesItself, nullptr, target);
     }
     impl_->drawModel({model, camera, options, encodesItself});
-    impl_->drawnArea = options.skeleton ? ScreenArea::whole() : impl_->states.area(model, camera, target);
-}
-
-ScreenArea AnimatedModelRenderer::drawnArea() const {
-    return impl_->drawnArea;
+    if (target.picture && !options.skeleton)
+        target.picture->drawn = impl_->states.area(model, camera, target);
 }
 
 void AnimatedModelRenderer::clear(const RenderTarget& target, const RenderOptions& options) {

@@ -6,7 +6,6 @@
 #include "render/Camera.h"
 #include "render/RenderOptions.h"
 #include "render/RenderTarget.h"
-#include "render/ScreenArea.h"
 
 namespace walkcycle {
 
@@ -25,10 +24,6 @@ public:
     // One whole picture: background, model, grid, skeleton.
     void render(const AnimatedModel& model, const Camera& camera, const RenderTarget& target,
                 const RenderOptions& options = {});
-
-    // The area outside of which the last picture of render() shows nothing but the background.
-    // Framebuffer::read() is faster with it.
-    ScreenArea drawnArea() const;
 
     // The same in steps, for a picture of several models: clear once, then draw each. There is no grid.
     void clear(const RenderTarget& target, const RenderOptions& options = {});

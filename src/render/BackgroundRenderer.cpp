@@ -5,6 +5,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "render/PictureState.h"
 #include "render/Srgb.h"
 
 namespace walkcycle {
@@ -62,12 +63,13 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
                                 const RenderTarget& target) {
     const bool plainColor = options.background == Background::Color && !ground;
     const bool empty = options.background == Background::None || plainColor;
-    if (target.underlay) target.underlay->reset();
+    std::optional<Backdrop>* const underlay = target.picture ? target.picture->underlay() : nullptr;
+    if (underlay) underlay->reset();
     clear(plainColor ? glm::vec4(asTaken(options.backgroundColor, encodesItself), 1.0f) : glm::vec4(0.0f));
     if (empty) return;
     const Backdrop backdrop = backdropOf(options, encodesItself, ground, target);
-    if (target.underlay) {
-        *target.underlay = backdrop;
+    if (underlay) {
+        *underlay = backdrop;
         return;
     }
     std::optional<Program>& found = programs_[backdrop.variant()];

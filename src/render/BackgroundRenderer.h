@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 #include "render/Backdrop.h"
 #include "render/Camera.h"
 #include "render/RenderOptions.h"

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "animation/Joint.h"
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 #include "model/SceneCamera.h"
 
 namespace walkcycle {

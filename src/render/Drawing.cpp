@@ -1,5 +1,7 @@
 #include "render/Drawing.h"
 
+#include "render/PictureState.h"
+
 namespace walkcycle {
 namespace {
 
@@ -14,6 +16,7 @@ bool mustEncode(const RenderTarget& target) {
 }  // namespace
 
 bool startDrawingTo(const RenderTarget& target) {
+    if (target.picture) target.picture->drawn = ScreenArea::whole();
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, target.width, target.height);
     const bool encodesItself = mustEncode(target);

@@ -2,39 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <initializer_list>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "render/GraphicsError.h"
+#include <epoxy/gl.h>
+
+#include "render/PictureState.h"
 #include "render/Srgb.h"
 
 namespace walkcycle {
 namespace {
-
-GLuint newFramebuffer() {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    return id;
-}
-
-GLuint newRenderbuffer(GLenum format, int width, int height, int samples) {
-    GLuint id = 0;
-    glGenRenderbuffers(1, &id);
-    glBindRenderbuffer(GL_RENDERBUFFER, id);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-    return id;
-}
-
-GLuint newMultisampleTexture(int width, int height, int samples) {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_SRGB8_ALPHA8, width, height, GL_TRUE);
-    return id;
-}
 
 int maxSamples() {
     GLint forColor = 0, forDepth = 0;
@@ -48,17 +25,6 @@ int affordable(int samples, int width, int height) {
     constexpr std::int64_t most = std::int64_t{1} << 30, bytesPerSample = 8;
     while (samples > 1 && bytesPerSample * samples * width * height > most) samples /= 2;
     return samples;
-}
-
-void attach(GLenum attachment, GLuint renderbuffer) {
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
-}
-
-void requireComplete(int width, int height) {
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR)
-        return;
-    throw GraphicsError("the graphics driver has no room for a picture of " + std::to_string(width) + " by " +
-                        std::to_string(height));
 }
 
 // Drawn and blended colours are premultiplied with their alpha, in linear light; files want them straight.
@@ -85,79 +51,45 @@ void flipRows(Bytes& rgba, std::size_t rowBytes) {
 
 }  // namespace
 
-Framebuffer::Resolver::Resolver(int width, int height)
-    : framebuffer(newFramebuffer()), color(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0)) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    attach(GL_COLOR_ATTACHMENT0, color.id());
-    requireComplete(width, height);
-}
-
-const ShaderProgram& Framebuffer::Resolver::program(int samples) {
-    std::optional<ShaderProgram>& found = programs[underlay ? underlay->variant() : Backdrop::kVariants];
-    if (found) return *found;
-    const std::string defines = "#define SAMPLES " + std::to_string(samples) + "\n";
-    if (underlay)
-        found.emplace(ShaderProgram({{"backgroundVertex"}, {"backdrop", "resolveFragment"}},
-                                    defines + underlay->defines() + "#define BACKDROP\n"));
-    else
-        found.emplace(ShaderProgram({{"backgroundVertex"}, {"resolveFragment"}}, defines));
-    return *found;
-}
-
-Framebuffer::Framebuffer(int width, int height, int samples) : framebuffer_(newFramebuffer()) {
+Framebuffer::Framebuffer(int width, int height, int samples) {
     if (width < 1 || height < 1 || width > maxFramebufferSize() || height > maxFramebufferSize()) {
         throw std::runtime_error("a picture here is at least 1 and at most " +
                                  std::to_string(maxFramebufferSize()) + " pixels wide and high");
     }
     while (glGetError() != GL_NO_ERROR) {
-        // errors of earlier calls; requireComplete() looks for our own
+        // errors of earlier calls; PictureState looks for its own
     }
-    samples_ = affordable(std::clamp(samples, 1, std::max(maxSamples(), 1)), width, height);
-    target_ = {.framebuffer = framebuffer_.id(), .width = width, .height = height};
-    depth_ = Renderbuffer(newRenderbuffer(GL_DEPTH_COMPONENT24, width, height, samples_ > 1 ? samples_ : 0));
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    attach(GL_DEPTH_ATTACHMENT, depth_.id());
-    if (samples_ > 1) {
-        samplesTexture_ = GlObject<gl::deleteTexture>(newMultisampleTexture(width, height, samples_));
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
-                               samplesTexture_.id(), 0);
-    } else {
-        color_ = Renderbuffer(newRenderbuffer(GL_SRGB8_ALPHA8, width, height, 0));
-        attach(GL_COLOR_ATTACHMENT0, color_.id());
-    }
-    requireComplete(width, height);
-    if (samples_ == 1) return;
-    resolver_ = std::make_unique<Resolver>(width, height);
-    target_.underlay = &resolver_->underlay;
+    const int allowed = std::clamp(samples, 1, std::max(maxSamples(), 1));
+    state_ = std::make_unique<PictureState>(width, height, affordable(allowed, width, height));
 }
 
-void Framebuffer::resolve(const ScreenArea& drawn) const {
-    if (!resolver_) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
-        return;
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, resolver_->framebuffer.id());
-    glViewport(0, 0, width(), height());
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    for (const GLenum state : std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE})
-        glDisable(state);
-    // This blending changes no pixel, but makes software OpenGL compile the shader once. Without blending it
-    // compiles a second version, for blocks of pixels that lie completely inside a triangle.
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ZERO);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samplesTexture_.id());
-    const ShaderProgram& program = resolver_->program(samples_);
-    program.start();
-    program.setSampler("samples", 0);
-    setUniform(program.uniform("drawn"), drawn.pixels());
-    if (resolver_->underlay) resolver_->underlay->load(program);
-    resolver_->noInputs.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+Framebuffer::~Framebuffer() = default;
+Framebuffer::Framebuffer(Framebuffer&&) noexcept = default;
+Framebuffer& Framebuffer::operator=(Framebuffer&&) noexcept = default;
+
+int Framebuffer::width() const {
+    return state_->width;
 }
 
-Image Framebuffer::read(const ScreenArea& drawn) const {
-    resolve(drawn);
+int Framebuffer::height() const {
+    return state_->height;
+}
+
+int Framebuffer::samples() const {
+    return state_->samples;
+}
+
+float Framebuffer::aspect() const {
+    return static_cast<float>(width()) / static_cast<float>(height());
+}
+
+RenderTarget Framebuffer::target() const {
+    state_->drawn = ScreenArea::whole();  // whoever has the target may draw anywhere
+    return {state_->framebuffer.id(), state_->width, state_->height, state_.get()};
+}
+
+Image Framebuffer::read() const {
+    state_->bindForReading();
     Image image;
     image.width = width();
     image.height = height();

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "animation/Skin.h"
+#include "model/Deformers.h"
 #include "render/VertexInput.h"
 
 namespace walkcycle {

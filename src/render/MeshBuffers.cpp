@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "model/Deformers.h"
 #include "render/VertexInput.h"
 
 namespace walkcycle {

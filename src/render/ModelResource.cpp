@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/Deformers.h"
 #include "render/VertexInput.h"
 
 namespace walkcycle {

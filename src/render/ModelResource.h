@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 #include "model/Model.h"
 #include "render/GlTexture.h"
 #include "render/MeshBuffers.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// All of the library in one include. A program that only reads files includes "loaders/ColladaLoader.h" instead and
-// links walkcycle::loaders, which needs no OpenGL.
+// All of the library in one include. A program that only reads files includes the header of loadCollada instead and links
+// walkcycle::loaders, which needs no OpenGL.
 
 #include <string>
 
@@ -10,7 +10,10 @@
 #include "io/File.h"
 #include "io/Image.h"
 #include "loaders/ColladaLoader.h"
+#include "model/BorrowedClips.h"
+#include "model/Bounds.h"
 #include "model/CpuSkinning.h"
+#include "model/LimitedInfluences.h"
 #include "model/Model.h"
 #include "platform/HeadlessContext.h"
 #include "platform/Window.h"

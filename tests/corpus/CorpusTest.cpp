@@ -9,6 +9,7 @@
 
 #include "animation/Animator.h"
 #include "loaders/ColladaLoader.h"
+#include "model/Bounds.h"
 #include "model/CpuSkinning.h"
 
 namespace walkcycle {

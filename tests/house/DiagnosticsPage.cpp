@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "app/OptionHints.h"
 #include "loaders/MessageTemplate.h"
 #include "model/Diagnostic.h"
 
@@ -88,7 +89,7 @@ std::string diagnosticsPage() {
         page += "\n### " + id + " " + row.name + "\n\n";
         page += "*" + std::string(nameOf(row.severity)) + "*: " + escaped(withWords(row.text)) + "\n\n";
         page += escaped(row.cause) + "\n\n";
-        page += "Cure: " + escaped(withWords(row.cure)) + ".\n";
+        page += "Cure: " + escaped(withOption(id, withWords(row.cure))) + ".\n";
         if (!*row.inBlender) continue;
         page += "\n- Blender: " + escaped(row.inBlender) + "\n";
         page += "- Maya: " + escaped(row.inMaya) + "\n";

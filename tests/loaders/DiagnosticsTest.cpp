@@ -38,6 +38,12 @@ TEST(DiagnosticsTest, placeholdersTakeArgumentsByNumber) {
     EXPECT_EQ(withWords("<{0:ELEMENT}> is misspelt{1:}"), "<ELEMENT> is misspelt");
 }
 
+TEST(DiagnosticsTest, theLibrarySpeaksOfNoCommandLine) {
+    for (const CodeInfo& entry : diagnosticCatalogue())
+        for (const char* text : {entry.text, entry.cause, entry.cure})
+            EXPECT_THAT(text, testing::Not(testing::HasSubstr("--"))) << entry.id;
+}
+
 TEST(DiagnosticsTest, aReportSaysFileLineAndElement) {
     TestLoad load("<COLLADA>\n<library_nodes>\n<node id='hip'/></library_nodes></COLLADA>");
     load.diagnostics.report(Code::MissingElement, load.byId("hip"), {"node", "translate"});

@@ -190,7 +190,7 @@ TEST(LimitsTest, eachLimitHoldsWhereItSaysAndTheMessageTellsWhatWhereAndHowToRai
         EXPECT_TRUE(costly.element.empty() || over[0].line > 0);
         if (costly.limit == "nesting") continue;  // cannot be raised
         EXPECT_THAT(over[0].message, HasSubstr(std::to_string(costly.amount) + " "));
-        EXPECT_THAT(over[0].cure, HasSubstr("--limit " + costly.limit + "="));
+        EXPECT_THAT(over[0].cure, HasSubstr("raise the limit '" + costly.limit + "'"));
     }
 }
 

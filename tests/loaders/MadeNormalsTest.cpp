@@ -4,6 +4,7 @@
 #include "animation/Animator.h"
 #include "loaders/LoadText.h"
 #include "model/CpuSkinning.h"
+#include "model/Deformers.h"
 
 namespace walkcycle {
 namespace {

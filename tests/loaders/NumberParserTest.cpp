@@ -220,7 +220,6 @@ TEST(NumberParserTest, aListEndsWhereItsTextEnds) {
         }
 }
 
-// Such a list is read by two threads.
 TEST(NumberParserTest, aVeryLongListComesOutInOrderWithItsFaultsWhereTheyAre) {
     constexpr std::size_t kCount = 400'000;
     std::string text;

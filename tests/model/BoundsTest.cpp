@@ -1,7 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "model/CpuSkinning.h"
+#include "model/Bounds.h"
 
 namespace walkcycle {
 namespace {

@@ -164,42 +164,5 @@ TEST(CpuSkinningTest, normalizedMorphOverSkinBlendsFromTheSkinnedShapeToTheTarge
     expectNear(deformed(model, {moved(0, 2, 0), moved(0, 5, 0)}, {0.5f}), {1, 3.5f, 2});
 }
 
-TEST(MorphCoefficientsTest, aNormalizedLayerScalesWhatLiesBeneath) {
-    Model model;
-    addMorph(model, MorphMethod::Relative, 0, {{}, {}});
-    addMorph(model, MorphMethod::Normalized, 2, {{}, {}});
-    const std::vector<Deformer> deformers{morphOf(0), morphOf(1)};
-    std::vector<float> coefficients;
-    morphCoefficients(model, deformers, std::vector<float>{1.0f, 0.5f, 0.25f, 0.25f}, coefficients);
-
-    EXPECT_EQ(coefficients, (std::vector<float>{0.5f, 0.25f, 0.25f, 0.25f}));
-}
-
-TEST(MorphCoefficientsTest, aRelativeLayerLeavesWhatLiesBeneath) {
-    Model model;
-    addMorph(model, MorphMethod::Normalized, 0, {{}});
-    addMorph(model, MorphMethod::Relative, 1, {{}});
-    const std::vector<Deformer> deformers{morphOf(0), morphOf(1)};
-    std::vector<float> coefficients;
-    morphCoefficients(model, deformers, std::vector<float>{0.5f, 2.0f}, coefficients);
-
-    EXPECT_EQ(coefficients, (std::vector<float>{0.5f, 2.0f}));
-}
-
-TEST(ShaderCanDeformTest, morphsAndThenOneSkinAndNothingElse) {
-    Model model;
-    model.meshes.emplace_back();
-    MeshInstance instance;
-    EXPECT_TRUE(shaderCanDeform(model, instance));
-    instance.deformers = {morphOf(0), morphOf(1), kSkin};
-    EXPECT_TRUE(shaderCanDeform(model, instance));
-    instance.deformers = {morphOf(0)};
-    EXPECT_TRUE(shaderCanDeform(model, instance));
-    instance.deformers = {kSkin, morphOf(0)};
-    EXPECT_FALSE(shaderCanDeform(model, instance));
-    instance.deformers = {kSkin, kSkin};
-    EXPECT_FALSE(shaderCanDeform(model, instance));
-}
-
 }  // namespace
 }  // namespace walkcycle

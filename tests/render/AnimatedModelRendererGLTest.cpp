@@ -2,6 +2,8 @@
 #include <cstdlib>
 #include <memory>
 
+#include <epoxy/gl.h>
+
 #include "render/AnimatedModelRenderer.h"
 #include "render/Framebuffer.h"
 #include "render/GlTest.h"
@@ -48,8 +50,14 @@ TEST_F(AnimatedModelRendererGLTest, drawsABallInTheMiddleOnAGradient) {
     EXPECT_EQ(pixel(image, 5, 120)[3], 255);
 }
 
-// Whether reading only what was drawn gives the same picture as reading all of it.
-TEST_F(AnimatedModelRendererGLTest, nothingIsDrawnOutsideTheDrawnArea) {
+// Read twice: as the renderer left the picture, and after somebody asked for its target, who may have drawn anywhere.
+void expectAllIsRead(const Framebuffer& picture) {
+    const Image image = picture.read();
+    (void)picture.target();
+    EXPECT_EQ(image.rgba, picture.read().rgba);
+}
+
+TEST_F(AnimatedModelRendererGLTest, readingLeavesNothingOut) {
     Model morphed = rigid(ball());
     addMorph(morphed, MorphMethod::Normalized, {3.0f});
     Framebuffer picture(96, 64);
@@ -63,18 +71,30 @@ TEST_F(AnimatedModelRendererGLTest, nothingIsDrawnOutsideTheDrawnArea) {
             for (const RenderOptions& options :
                  {RenderOptions{}, kFile, RenderOptions{.wireframe = true, .skeleton = true}}) {
                 renderer_.render(model, camera, picture, options);
-                EXPECT_EQ(picture.read(renderer_.drawnArea()).rgba, picture.read().rgba);
+                expectAllIsRead(picture);
             }
     }
 }
 
-TEST_F(AnimatedModelRendererGLTest, theDrawnAreaIsSmallWhereTheModelIs) {
-    Framebuffer picture(200, 100);
+TEST_F(AnimatedModelRendererGLTest, whatIsDrawnBesideTheModelIsRead) {
     const AnimatedModel model(rigid(ball()));
-    renderer_.render(model, Camera::framing(model.bounds(), picture.aspect()), picture);
-    const glm::ivec4 area = renderer_.drawnArea().pixels();
-    EXPECT_GT(area[0], 20);
-    EXPECT_LT(area[2], 180);
+    Framebuffer picture(200, 100);
+    const RenderTarget target = picture;
+    Camera camera = Camera::framing(model.bounds(), picture.aspect(), CameraPreset::Front);
+    renderer_.render(model, camera, target, kFile);
+    EXPECT_EQ(pixel(picture.read(), 10, 50)[3], 0);
+    camera.projection = glm::translate(glm::mat4(1.0f), {-0.9f, 0.0f, 0.0f}) * camera.projection;
+    renderer_.draw(model, camera, target, kFile);
+    EXPECT_EQ(pixel(picture.read(), 10, 50)[3], 255);
+
+    renderer_.render(model, camera, target, kFile);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture.target().framebuffer);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(190, 0, 10, 10);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(pixel(picture.read(), 195, 95)[3], 255);
+    EXPECT_EQ(pixel(picture.read(), 195, 50)[3], 0);
 }
 
 TEST_F(AnimatedModelRendererGLTest, withoutABackgroundSolidThingsHaveFullAlphaAndTheRestIsClearBlack) {

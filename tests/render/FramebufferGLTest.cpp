@@ -1,5 +1,7 @@
 #include <stdexcept>
 
+#include <epoxy/gl.h>
+
 #include "render/Framebuffer.h"
 #include "render/GlTest.h"
 

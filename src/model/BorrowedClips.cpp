@@ -1,5 +1,6 @@
-#include "app/BorrowedClips.h"
+#include "model/BorrowedClips.h"
 
+#include <string>
 #include <unordered_map>
 
 namespace walkcycle {
@@ -52,6 +53,9 @@ std::vector<Animation> borrowClips(const Model& source, const Model& model) {
         }
         if (!borrowed.channels.empty()) clips.push_back(std::move(borrowed));
     }
+    if (source.animations.empty()) throw NothingToBorrow("'" + source.file + "' has no animation");
+    if (clips.empty())
+        throw NothingToBorrow("'" + source.file + "' moves no joint that '" + model.file + "' has");
     return clips;
 }
 

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/Diagnostic.h"
+
+namespace walkcycle {
+
+// Which option of the program does what a message's cure speaks of: the library's messages know of no command line.
+struct OptionHint {
+    std::string_view code;
+    std::string_view option;  // * stands for what the cure has in quotes: a limit's name
+};
+
+inline constexpr OptionHint kOptionHints[] = {
+    {"WC0208", "--allow-path DIR"}, {"WC0406", "--skin-node ignore"}, {"WC0513", "pose --exact"},
+    {"WC0620", "--texture FILE"},   {"WC0702", "--scene ID"},         {"WC0703", "--scene ID"},
+    {"WC0801", "--limit *=N"},      {"WC0803", "--limit *=N"},
+};
+
+// "if the file is honest, raise the limit 'nodes': --limit nodes=N"; the cure as it is where no option does it.
+inline std::string withOption(std::string_view code, std::string cure) {
+    for (const OptionHint& hint : kOptionHints) {
+        if (hint.code != code) continue;
+        std::string option(hint.option);
+        const std::size_t star = option.find('*'), open = cure.find('\''), close = cure.rfind('\'');
+        if (star != option.npos && open < close)
+            option.replace(star, 1, cure.substr(open + 1, close - open - 1));
+        return cure + ": " + option;
+    }
+    return cure;
+}
+
+// The same for a whole message.
+inline Diagnostic withOption(Diagnostic diagnostic) {
+    diagnostic.cure = withOption(diagnostic.code, std::move(diagnostic.cure));
+    return diagnostic;
+}
+
+}  // namespace walkcycle
