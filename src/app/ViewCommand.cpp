@@ -30,7 +30,7 @@ double parseSpeed(const std::string& text) {
     const double speed = parseNumber(text, "--speed");
     const double size = std::abs(speed);
     if (size != 0.0 && (size < Animator::kSlowest || size > Animator::kFastest))
-        throw UsageError("--speed: '" + text + "' is not between 1/128 and 128, or the same below zero");
+        throw UsageError("--speed: '" + text + "' is out of range: 1/128 to 128, with a minus for backwards");
     return speed;
 }
 
