@@ -59,7 +59,6 @@ public:
 
     ClipTimeline build(const std::vector<double>& times) {
         makeRows(times);
-        makeGrid();
         for (Lane& lane : lanes_) findChanges(lane);
         std::stable_sort(lanes_.begin(), lanes_.end(),
                          [](const Lane& a, const Lane& b) { return a.kind() < b.kind(); });
@@ -85,18 +84,9 @@ private:
             timeline_.times.push_back(rows_[i].seconds);
             timeline_.rates.push_back(length > 0.0 ? 1.0 / length : 0.0);
         }
-    }
-
-    // Two cells a row: where rows are evenly spaced, a cell begins with the row wanted or the one before it.
-    void makeGrid() {
-        const std::size_t cells = 2 * rows_.size();
-        const double rate = static_cast<double>(cells) / (rows_.back().seconds - rows_.front().seconds);
-        timeline_.cellsPerSecond = std::isfinite(rate) ? rate : 0.0;
-        timeline_.grid.assign(cells + 1, 0);
-        for (std::size_t row = 0; row < rows_.size(); ++row)
-            timeline_.grid[timeline_.cellAt(rows_[row].seconds) + 1] = static_cast<std::uint32_t>(row);
-        for (std::size_t cell = 1; cell <= cells; ++cell)
-            timeline_.grid[cell] = std::max(timeline_.grid[cell], timeline_.grid[cell - 1]);
+        const double rate =
+            static_cast<double>(rows_.size() - 1) / (rows_.back().seconds - rows_.front().seconds);
+        timeline_.rowsPerSecond = std::isfinite(rate) ? rate : 0.0;
     }
 
     // Each row is held against the first, so that nothing drifts away unseen.
