@@ -87,7 +87,8 @@ std::size_t ClipTimeline::rowAt(double seconds) const {
 void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
     const double within = std::clamp(seconds, times.front(), times.back());
     const std::size_t at = rowAt(within);
-    const Shares shares(static_cast<float>((within - times[at]) * rates[at]));
+    const double length = at + 1 < times.size() ? times[at + 1] - times[at] : 0.0;  // 0: the last row
+    const Shares shares(length > 0.0 ? static_cast<float>((within - times[at]) / length) : 0.0f);
     const Float4* row = numbers.data() + at * width;
     const Float4* next = row + width;
     for (const Group& group : groups) {
@@ -118,7 +119,7 @@ void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
 }
 
 std::size_t ClipTimeline::bytes() const {
-    return sizeof *this + times.size() * 2 * sizeof(double) + numbers.size() * sizeof(Float4) +
+    return sizeof *this + times.size() * sizeof(double) + numbers.size() * sizeof(Float4) +
            groups.size() * sizeof(Group) + matrices.size() * sizeof(MatrixJoint);
 }
 

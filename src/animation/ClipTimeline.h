@@ -33,7 +33,6 @@ struct ClipTimeline {
     };
 
     std::vector<double> times;    // of the rows, rising; where two share one, the second rules from it on
-    std::vector<double> rates;    // 1 / the seconds to the next row; 0 at the last
     double rowsPerSecond = 0.0;   // if they were evenly spaced
     std::size_t width = 0;        // of a row, in Float4s
     std::vector<Float4> numbers;  // row after row, the last one twice

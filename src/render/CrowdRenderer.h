@@ -26,7 +26,7 @@ namespace walkcycle {
 //     renderer.clear(picture);  // an AnimatedModelRenderer's
 //     crowd.draw(model, palettes, camera, picture);
 //
-// A CrowdPoser makes the palettes of a model with a single skinned mesh several times as fast.
+// A CrowdPoser makes the palettes of a model with a single skinned mesh four times as fast (docs/performance.md).
 // Materials, lights and morph weights are the model's, the same for all. Walkers that show through are not sorted. Keeps
 // its shaders and work memory, and belongs to the OpenGL context that it was made in.
 class CrowdRenderer {
