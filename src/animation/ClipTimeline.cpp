@@ -76,28 +76,19 @@ void compose(const Rotations& q, const std::array<Float4, 3>& position, const st
 
 }  // namespace
 
-std::size_t ClipTimeline::cellAt(double seconds) const {
-    const double cell = (seconds - times.front()) * cellsPerSecond;
-    return std::min(static_cast<std::size_t>(std::max(cell, 0.0)), grid.size() - 2);
-}
-
-// Rows are spread evenly enough that a cell rarely holds more than a few; where it does, halving finds the right one.
+// The row whose time has come, while the next one's has not. Most tables have evenly spaced rows: then it is the first guess.
 std::size_t ClipTimeline::rowAt(double seconds) const {
-    const std::size_t cell = cellAt(seconds);
-    std::size_t low = grid[cell], high = grid[cell + 1];  // low's time has come, that of high + 1 has not
-    constexpr std::size_t kFew = 8;
-    while (high - low > kFew) {
-        const std::size_t middle = low + (high - low) / 2;
-        (times[middle] <= seconds ? low : high) = middle;
-    }
-    while (low < high && times[low + 1] <= seconds) ++low;
-    return low;
+    const auto guess = static_cast<std::size_t>((seconds - times.front()) * rowsPerSecond);
+    if (guess + 1 < times.size() && times[guess] <= seconds && seconds < times[guess + 1]) return guess;
+    return static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), seconds) - times.begin()) -
+           1;
 }
 
 void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
     const double within = std::clamp(seconds, times.front(), times.back());
     const std::size_t at = rowAt(within);
-    const Shares shares(static_cast<float>((within - times[at]) * rates[at]));
+    const double length = at + 1 < times.size() ? times[at + 1] - times[at] : 0.0;  // 0: the last row
+    const Shares shares(length > 0.0 ? static_cast<float>((within - times[at]) / length) : 0.0f);
     const Float4* row = numbers.data() + at * width;
     const Float4* next = row + width;
     for (const Group& group : groups) {
@@ -127,17 +118,9 @@ void ClipTimeline::sample(double seconds, std::span<Rows> locals) const {
     }
 }
 
-void ClipTimeline::prefetch(double seconds) const {
-    constexpr std::size_t kCacheLine = 64;
-    const auto* row = reinterpret_cast<const char*>(
-        numbers.data() + rowAt(std::clamp(seconds, times.front(), times.back())) * width);
-    for (std::size_t at = 0; at < 2 * width * sizeof(Float4); at += kCacheLine) __builtin_prefetch(row + at);
-}
-
 std::size_t ClipTimeline::bytes() const {
-    return sizeof *this + times.size() * 2 * sizeof(double) + grid.size() * sizeof(std::uint32_t) +
-           numbers.size() * sizeof(Float4) + groups.size() * sizeof(Group) +
-           matrices.size() * sizeof(MatrixJoint);
+    return sizeof *this + times.size() * sizeof(double) + numbers.size() * sizeof(Float4) +
+           groups.size() * sizeof(Group) + matrices.size() * sizeof(MatrixJoint);
 }
 
 }  // namespace walkcycle

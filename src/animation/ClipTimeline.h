@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace walkcycle {
 // register. (Animation is the plain form; TimelineBuilder makes this from it.)
 //
 // It is a table with a row for each time at which one of its channels has a key. A row holds what every channel is at that
-// time, also of those without a key there. A moment lies between two rows, which a grid over the time finds without a search.
+// time, also of those without a key there. A moment lies between two rows, which lie side by side.
 struct ClipTimeline {
     // Half the angle (radians) that a joint rotates at most from a row to the next; what the blending counts on.
     static constexpr double kMaxHalfAngle = 0.35;
@@ -33,11 +32,8 @@ struct ClipTimeline {
         int slot = 0, at = 0;
     };
 
-    std::vector<double> times;  // of the rows, rising; where two share one, the second rules from it on
-    std::vector<double> rates;  // 1 / the seconds to the next row; 0 at the last
-    std::vector<std::uint32_t>
-        grid;  // per cell of time, and one more: the last row that begins before the cell
-    double cellsPerSecond = 0.0;
+    std::vector<double> times;    // of the rows, rising; where two share one, the second rules from it on
+    double rowsPerSecond = 0.0;   // if they were evenly spaced
     std::size_t width = 0;        // of a row, in Float4s
     std::vector<Float4> numbers;  // row after row, the last one twice
     std::vector<Group> groups;
@@ -47,13 +43,7 @@ struct ClipTimeline {
     // last. `seconds` are of the document's timeline, and finite.
     void sample(double seconds, std::span<Rows> locals) const;
 
-    // Asks for the memory that sample() of that time will read.
-    void prefetch(double seconds) const;
-
     std::size_t bytes() const;
-
-    // The cell of a time: never falls as time goes on.
-    std::size_t cellAt(double seconds) const;
 
 private:
     std::size_t rowAt(double seconds) const;

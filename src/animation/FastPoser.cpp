@@ -37,10 +37,6 @@ std::vector<int> slotsOf(const Skeleton& skeleton, const Skin& skin) {
 
 }  // namespace
 
-double FastPoser::Tables::timeOf(double seconds) const {
-    return start + loop(seconds, length);
-}
-
 FastPoser::FastPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin) {
     const std::vector<int> slots = slotsOf(skeleton, skin);
     const auto slotOf = [&](int joint) {
@@ -67,10 +63,9 @@ FastPoser::FastPoser(const Skeleton& skeleton, const Animation& animation, const
     tables_ = std::move(tables);
 }
 
-void FastPoser::poseOne(double seconds, std::span<JointRows> palette) {
+void FastPoser::poseOne(double documentSeconds, std::span<JointRows> palette) {
     const Tables& tables = *tables_;
-    const double time = tables.timeOf(seconds);
-    for (const ClipTimeline& timeline : tables.timelines) timeline.sample(time, locals_);
+    for (const ClipTimeline& timeline : tables.timelines) timeline.sample(documentSeconds, locals_);
     for (std::size_t i = 0; i < models_.size(); ++i) {
         const int parent = tables.parents[i];
         models_[i] = (parent < 0 ? tables.root : models_[static_cast<std::size_t>(parent)]) * locals_[i];
@@ -82,15 +77,11 @@ void FastPoser::poseOne(double seconds, std::span<JointRows> palette) {
     place(palette.first(palette.size() - 1), skinPlacement(tables, modelTransform));
 }
 
-// While one character is posed, the memory that the next one needs is on its way.
 void FastPoser::pose(std::span<const double> seconds, std::span<JointRows> palettes) {
     assert(palettes.size() >= seconds.size() * paletteSize());
-    for (std::size_t i = 0; i < seconds.size(); ++i) {
-        if (i + 1 < seconds.size())
-            for (const ClipTimeline& timeline : tables_->timelines)
-                timeline.prefetch(tables_->timeOf(seconds[i + 1]));
-        poseOne(seconds[i], palettes.subspan(i * paletteSize(), paletteSize()));
-    }
+    for (std::size_t i = 0; i < seconds.size(); ++i)
+        poseOne(tables_->start + loop(seconds[i], tables_->length),
+                palettes.subspan(i * paletteSize(), paletteSize()));
 }
 
 std::size_t FastPoser::tableBytes() const {

@@ -43,10 +43,8 @@ private:
         int placedBy = kNoParent, placedRelativeTo = kNoParent;  // slots
         glm::mat4 placedInRoot{1.0f};
         double start = 0.0, length = 0.0;
-
-        double timeOf(double seconds) const;
     };
-    void poseOne(double seconds, std::span<JointRows> palette);
+    void poseOne(double documentSeconds, std::span<JointRows> palette);
 
     std::shared_ptr<const Tables> tables_;
     std::vector<Rows> locals_, models_;  // per slot: of the joints that matter, parents first

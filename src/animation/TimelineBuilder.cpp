@@ -18,17 +18,14 @@ constexpr std::size_t kMostTimesTheKeys = 4;  // what a shared timeline may cost
 constexpr std::size_t kSmall = 1024;          // transforms that nobody counts
 constexpr double kSame = 1e-8;                // less than a float can tell
 
-// A joint's channel on its way into a timeline, and which of its parts change.
+// What a channel changes, and in which form: lanes of like kinds come to stand in one group.
+enum Kind : unsigned int { kRotates = 1, kScales = 2, kMoves = 4, kCubic = 8, kMatrix = 16 };
+
+// A joint's channel on its way into a timeline.
 struct Lane {
     ExactChannel channel;
     int slot = 0;
-    bool rotates = false, moves = false, scales = false;
-
-    // Lanes with like needs come to stand in one group.
-    int kind() const {
-        return (channel.isMatrix() ? 16 : 0) + (channel.isCubic() ? 8 : 0) + (moves ? 4 : 0) +
-               (scales ? 2 : 0) + (rotates ? 1 : 0);
-    }
+    unsigned int kind = 0;
 };
 
 // A row, and which side of its time it is.
@@ -59,10 +56,9 @@ public:
 
     ClipTimeline build(const std::vector<double>& times) {
         makeRows(times);
-        makeGrid();
-        for (Lane& lane : lanes_) findChanges(lane);
+        for (Lane& lane : lanes_) lane.kind = kindOf(lane.channel);
         std::stable_sort(lanes_.begin(), lanes_.end(),
-                         [](const Lane& a, const Lane& b) { return a.kind() < b.kind(); });
+                         [](const Lane& a, const Lane& b) { return a.kind < b.kind; });
         layOut();
         timeline_.numbers.resize((rows_.size() + 1) * timeline_.width, splat(0.0f));
         for (std::size_t row = 0; row < rows_.size(); ++row) fill(row);
@@ -80,38 +76,26 @@ private:
                 rows_.push_back({seconds, Side::Left});
             rows_.push_back({seconds, Side::Right});
         }
-        for (std::size_t i = 0; i < rows_.size(); ++i) {
-            const double length = i + 1 < rows_.size() ? rows_[i + 1].seconds - rows_[i].seconds : 0.0;
-            timeline_.times.push_back(rows_[i].seconds);
-            timeline_.rates.push_back(length > 0.0 ? 1.0 / length : 0.0);
-        }
-    }
-
-    // Two cells a row: where rows are evenly spaced, a cell begins with the row wanted or the one before it.
-    void makeGrid() {
-        const std::size_t cells = 2 * rows_.size();
-        const double rate = static_cast<double>(cells) / (rows_.back().seconds - rows_.front().seconds);
-        timeline_.cellsPerSecond = std::isfinite(rate) ? rate : 0.0;
-        timeline_.grid.assign(cells + 1, 0);
-        for (std::size_t row = 0; row < rows_.size(); ++row)
-            timeline_.grid[timeline_.cellAt(rows_[row].seconds) + 1] = static_cast<std::uint32_t>(row);
-        for (std::size_t cell = 1; cell <= cells; ++cell)
-            timeline_.grid[cell] = std::max(timeline_.grid[cell], timeline_.grid[cell - 1]);
+        for (const RowTime& row : rows_) timeline_.times.push_back(row.seconds);
+        const double rate =
+            static_cast<double>(rows_.size() - 1) / (rows_.back().seconds - rows_.front().seconds);
+        timeline_.rowsPerSecond = std::isfinite(rate) ? rate : 0.0;
     }
 
     // Each row is held against the first, so that nothing drifts away unseen.
-    void findChanges(Lane& lane) const {
-        if (lane.channel.isMatrix()) return;
-        lane.rotates = lane.moves = lane.scales = lane.channel.isCubic();
-        if (lane.channel.isCubic()) return;
-        const auto first = lane.channel.transformAt(rows_.front().seconds, rows_.front().side);
+    unsigned int kindOf(const ExactChannel& channel) const {
+        if (channel.isMatrix()) return kMatrix;
+        if (channel.isCubic()) return kCubic | kRotates | kScales | kMoves;
+        unsigned int kind = 0;
+        const ExactTransform first = channel.transformAt(rows_.front().seconds, rows_.front().side);
         for (const RowTime& row : rows_) {
-            const auto at = lane.channel.transformAt(row.seconds, row.side);
-            const glm::dquat turned = nearest(first.rotation, at.rotation) - first.rotation;
-            lane.rotates = lane.rotates || std::sqrt(glm::dot(turned, turned)) > kSame;
-            lane.moves = lane.moves || differ(at.position, first.position);
-            lane.scales = lane.scales || differ(at.scale, first.scale);
+            const ExactTransform at = channel.transformAt(row.seconds, row.side);
+            const glm::dquat rotated = nearest(first.rotation, at.rotation) - first.rotation;
+            if (std::sqrt(glm::dot(rotated, rotated)) > kSame) kind |= kRotates;
+            if (differ(at.scale, first.scale)) kind |= kScales;
+            if (differ(at.position, first.position)) kind |= kMoves;
         }
+        return kind;
     }
 
     int place(bool isNeeded, std::size_t numbers) {
@@ -122,7 +106,7 @@ private:
 
     void layOut() {
         std::size_t next = 0;
-        while (next < lanes_.size() && !lanes_[next].channel.isMatrix()) next = addGroup(next);
+        while (next < lanes_.size() && lanes_[next].kind != kMatrix) next = addGroup(next);
         for (; next < lanes_.size(); ++next)
             timeline_.matrices.push_back({lanes_[next].slot, place(true, 3)});
     }
@@ -130,20 +114,17 @@ private:
     // Returns the first lane that is not in it any more.
     std::size_t addGroup(std::size_t first) {
         Group group;
-        group.isCubic = lanes_[first].channel.isCubic();
-        bool rotates = false, moves = false, scales = false;
-        std::size_t end = first;
+        unsigned int kind = lanes_[first].kind;
+        std::size_t end = first + 1;
         for (; end < std::min(lanes_.size(), first + kLanes); ++end) {
-            const Lane& lane = lanes_[end];
-            if (lane.channel.isMatrix() || lane.channel.isCubic() != group.isCubic) break;
-            rotates = rotates || lane.rotates;
-            moves = moves || lane.moves;
-            scales = scales || lane.scales;
+            if ((lanes_[end].kind ^ kind) & (kMatrix | kCubic)) break;
+            kind |= lanes_[end].kind;
         }
+        group.isCubic = (kind & kCubic) != 0;
         const std::size_t each = group.isCubic ? 4 : 1;
-        group.rotationAt = place(rotates, 4 * each);
-        group.positionAt = place(moves, 3 * each);
-        group.scaleAt = place(scales, 3 * each);
+        group.rotationAt = place(kind & kRotates, 4 * each);
+        group.positionAt = place(kind & kMoves, 3 * each);
+        group.scaleAt = place(kind & kScales, 3 * each);
         for (std::size_t i = 0; i < kLanes; ++i) {
             const std::size_t lane = std::min(first + i, end - 1);
             group.slots[i] = lanes_[lane].slot;

@@ -27,7 +27,7 @@ namespace walkcycle {
 //     renderer.clear(picture);  // an AnimatedModelRenderer's
 //     crowd.draw(model, palettes, camera, picture);
 //
-// A CrowdPoser makes the palettes of a model with a single skinned mesh several times as fast. All
+// A CrowdPoser makes the palettes of a model with a single skinned mesh four times as fast (docs/performance.md). All
 // walkers share the model's materials, lights and morph weights. Transparent walkers are not sorted by
 // distance. Keeps its shaders and work memory, and belongs to the OpenGL context in which it was made.
 class CrowdRenderer {
