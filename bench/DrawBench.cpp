@@ -17,6 +17,7 @@
 #include "animation/CrowdPoser.h"
 #include "loaders/ColladaLoader.h"
 #include "loaders/LoadOptions.h"
+#include "model/CpuSkinning.h"
 #include "platform/HeadlessContext.h"
 #include "render/AnimatedModelRenderer.h"
 #include "render/CrowdRenderer.h"

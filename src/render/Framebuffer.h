@@ -27,7 +27,8 @@ public:
     int samples() const;
     float aspect() const;
 
-    // Ask for it again before you draw with OpenGL of your own what is to be read.
+    // If you draw with OpenGL calls of your own, ask for the target each time, after our renderers have drawn: read() may
+    // skip pixels in which they left nothing, unless somebody has asked for the target since.
     RenderTarget target() const;
     operator RenderTarget() const { return target(); }  // NOLINT: a picture can be passed as a target
 

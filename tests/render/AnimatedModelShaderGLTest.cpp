@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "model/CpuSkinning.h"
 #include "render/AnimatedModelShader.h"
 #include "render/GlTest.h"
 #include "render/TestModels.h"
