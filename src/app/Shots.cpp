@@ -7,6 +7,7 @@
 #include "app/Clips.h"
 #include "app/ExitCode.h"
 #include "app/Numbers.h"
+#include "app/SharedOptions.h"
 
 namespace walkcycle {
 namespace {
@@ -29,9 +30,7 @@ std::pair<int, int> parseFrames(const std::string& text) {
 
 void ShotList::declare(Arguments& arguments) {
     arguments.group("Which pictures");
-    arguments.option("--time,-t", "S[,S...]",
-                     "Times in seconds, on the document's timeline (of the clip with --clip)",
-                     [this](const std::string& text) { times_ = parseNumbers(text, "--time"); });
+    declareTimes(arguments, times_);
     arguments.option("--frames", "A..B", "Frames A to B, frame 0 being at 0 s",
                      [this](const std::string& text) { frames_ = parseFrames(text); });
     arguments.option("--fps", "N", "Frames per second of --frames (24)", [this](const std::string& text) {

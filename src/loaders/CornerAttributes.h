@@ -74,7 +74,7 @@ inline void CornerAttributes::copyFew(const float* from, std::size_t count, floa
 inline float* CornerAttributes::read(std::size_t corner) {
     const std::int32_t* indices = primitive_->corner(corner);
     isWhole_ = true;
-    values_[0] = values_[1] = values_[2] = 0.0f;  // the caller may have stored a made normal here for the previous corner
+    values_[0] = values_[1] = values_[2] = 0.0f;  // the caller may have put a normal here
     for (Stream& stream : streams_) {
         const std::int32_t index = indices[stream.input->offset];
         const bool there = index >= 0 && static_cast<std::size_t>(index) < stream.count;
