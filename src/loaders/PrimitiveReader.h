@@ -31,6 +31,9 @@ bool isPrimitive(XmlNode element);
 // count disagree, reports that and returns the complete faces.
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context);
 
+// How long the text of the corners is, in bytes; without that of polygons with holes.
+double textBytes(const PrimitiveCorners& primitive);
+
 // Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. For fans and strips,
 // that is the index from which the triangle's or line's corner was made.
 struct CornerPlace {
