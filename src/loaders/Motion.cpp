@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "loaders/StackParts.h"
-
 namespace walkcycle {
 
 namespace {
@@ -121,8 +119,20 @@ bool JointMotion::isStraight() const {
            goesStraight(*bindings[0].curve);
 }
 
+bool JointMotion::hasPlainStack() const {
+    using Kind = TransformElement::Kind;
+    bool scaled = false;
+    for (const Element& element : stack) {
+        const bool isScale = element.kind == Kind::Scale;
+        if (!isScale && (scaled || (element.kind != Kind::Translate && element.kind != Kind::Rotate)))
+            return false;
+        scaled = isScale;
+    }
+    return outer == glm::dmat4(1.0);
+}
+
 bool JointMotion::turnsStraight() const {
-    if (!StackParts::canTell(*this)) return false;
+    if (!hasPlainStack()) return false;
     const auto isPlain = [](const CurveBinding& b) {
         const bool isEndless = b.curve->before != Infinity::Constant || b.curve->after != Infinity::Constant;
         return b.from < -1e300 && b.curve->parts.empty() && !isEndless && goesStraight(*b.curve);

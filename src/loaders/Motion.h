@@ -50,9 +50,12 @@ struct JointMotion {
     bool mayJump() const;
     // True if keyframes go just as it does between its knots: a whole <matrix> with LINEAR keys, and nothing else.
     bool isStraight() const;
-    // The same for a stack of translations, rotations and scales: one angle turns, and nothing that it turns moves.
+    // The same for a plain stack: one angle turns, and nothing that it turns moves.
     // (As long as no two knots are more than half a circle apart.)
     bool turnsStraight() const;
+    // True if the stack is translations and rotations with nothing behind them but scales, as in nearly all files that
+    // have curves for single numbers.
+    bool hasPlainStack() const;
     // The same for matrix keyframes: every number of a <matrix> on LINEAR keys of its own.
     bool isStraightByNumber() const;
     // Says which of several bindings to the same numbers rules when (see CurveBinding::from).

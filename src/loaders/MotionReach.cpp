@@ -138,10 +138,12 @@ void MotionReach::countMoving(const Model& model, const Motion& motion) {
 // Errors along a chain add up like steps of a random walk, rarely like steps in one direction; measure() tells.
 Tolerance MotionReach::tolerance(int joint, double share) const {
     const auto i = static_cast<std::size_t>(joint);
-    return {share * modelSize_ / std::sqrt(static_cast<double>(moving_[i])), units_[i], reaches_[i]};
+    const double chain = std::sqrt(static_cast<double>(moving_[i]));
+    return {std::max(share, finestShare()) * modelSize_ / chain, units_[i], reaches_[i]};
 }
 
 Tolerance MotionReach::tolerance(const Parameter& parameter, const Model& model, double share) const {
+    share = std::max(share, finestShare());
     if (parameter.kind != ParameterKind::MorphWeight)
         return {share * std::max(1.0, std::abs(static_cast<double>(parameter.restValue))), 1.0, 0.0};
     const MorphTargets& morph = model.morphs[static_cast<std::size_t>(parameter.object)];

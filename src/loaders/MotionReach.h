@@ -21,6 +21,9 @@ public:
     Tolerance tolerance(int joint, double share) const;
     Tolerance tolerance(const Parameter& parameter, const Model& model, double share) const;
 
+    // Smaller shares are taken as this one: the numbers of a key are floats, which cannot tell less.
+    static constexpr double finestShare() { return 6e-8; }
+
     // The largest distance between exact and keyed points, as a share of the model's size, seen at some moments
     // between the clip's start and end that have nothing to do with the keys.
     double measure(const Model& model, const Motion& motion, const Animation& animation) const;

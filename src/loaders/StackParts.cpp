@@ -18,17 +18,6 @@ glm::dquat rotationOf(const std::array<double, 4>& values) {
 
 }  // namespace
 
-bool StackParts::canTell(const JointMotion& motion) {
-    bool scaled = false;
-    for (const JointMotion::Element& element : motion.stack) {
-        const bool isScale = element.kind == Kind::Scale;
-        if (!isScale && (scaled || (element.kind != Kind::Translate && element.kind != Kind::Rotate)))
-            return false;
-        scaled = isScale;
-    }
-    return motion.outer == glm::dmat4(1.0);
-}
-
 StackParts::StackParts(const JointMotion& motion) {
     for (std::size_t e = 0; e < motion.stack.size(); ++e) {
         Step step{motion.stack[e].kind, {}, {}, moved_.size(), 0};

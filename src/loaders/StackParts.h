@@ -5,12 +5,10 @@
 
 namespace walkcycle {
 
-// The parts of a moving joint's stack, without a matrix on the way: for stacks of translations and rotations with
-// nothing behind them but scales, which are nearly all that have curves for single numbers.
+// The parts of a moving joint's transform, taken from its stack without a matrix on the way.
 class StackParts {
 public:
-    static bool canTell(const JointMotion& motion);
-    explicit StackParts(const JointMotion& motion);  // one of those
+    explicit StackParts(const JointMotion& motion);  // of which JointMotion::hasPlainStack() is true
 
     // False where a scale is not above zero: only the matrix tells what is mirrored or flat.
     bool at(double seconds, Side side, MatrixParts& parts);
