@@ -24,8 +24,8 @@ ExactTransform DecomposedMotion::at(double seconds, Side side) {
 void DecomposedMotion::noteLoss(const MatrixParts& parts) {
     const bool isMirrored = parts.stretch[0][0] < 0.0;
     if (!isMirrored_) isMirrored_ = isMirrored;
-    lost_ = parts.turns && isMirrored == *isMirrored_ ? std::max(lost_, shear(parts, tolerance_))
-                                                      : std::numeric_limits<double>::infinity();
+    lost_ = parts.hasRotation && isMirrored == *isMirrored_ ? std::max(lost_, shear(parts, tolerance_))
+                                                            : std::numeric_limits<double>::infinity();
 }
 
 bool DecomposedMotion::holds(const std::vector<double>& knots) {
@@ -48,7 +48,7 @@ const MatrixParts* DecomposedMotion::partsOfKey(double seconds) {
     const bool isKey = key_ < times.size() && times[key_] == seconds;
     if (!isKey || (key_ + 1 < times.size() && times[key_ + 1] == seconds) || curve.parts.empty())
         return nullptr;
-    return curve.parts[key_].turns ? &curve.parts[key_] : nullptr;
+    return curve.parts[key_].hasRotation ? &curve.parts[key_] : nullptr;
 }
 
 }  // namespace walkcycle

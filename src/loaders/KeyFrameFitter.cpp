@@ -40,7 +40,7 @@ std::size_t mostKeys(std::size_t knots, const KeyLimits& limits) {
 // get knots in between. There are at most `spare` of these, evenly spread over the degrees of the motion.
 class RotationSplitter {
 public:
-    // `degrees` as from JointMotion::degreesTurned.
+    // `degrees` as from JointMotion::degreesRotated.
     RotationSplitter(const std::vector<double>& degrees, std::size_t spare) : degrees_(degrees) {
         if (degrees.empty()) return;
         const double all = std::accumulate(degrees.begin(), degrees.end(), 0.0);
@@ -153,15 +153,15 @@ public:
                   const KeyLimits& limits)
         : motion_(motion), tolerance_(tolerance), transforms_(motion, tolerance) {
         const std::size_t most = mostKeys(times.size(), limits);
-        const std::vector<double> degrees = motion.degreesTurned(times);
+        const std::vector<double> degrees = motion.degreesRotated(times);
         const RotationSplitter splitter(degrees, most - std::min(most, times.size()));
         const std::vector<double> knots = splitter.split(times);
         isTooFast_ = splitter.isTooFast();
         knots_ = knots.size();
         mostSplits_ = isTooFast_ ? 0 : most - std::min(most, knots_);
-        const bool turnsStraight =
-            !isTooFast_ && knots_ < most && hasAllKnots(motion, limits.most) && motion.turnsStraight();
-        isStraight_ = turnsStraight || motion.isStraight();
+        const bool rotatesEvenly =
+            !isTooFast_ && knots_ < most && hasAllKnots(motion, limits.most) && motion.rotatesEvenly();
+        isStraight_ = rotatesEvenly || motion.isStraight();
         holds_ = isStraight_ || transforms_.holds(knots);
         const auto jumps = [&](double t) {
             return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),

@@ -24,7 +24,7 @@ std::optional<Interpolation> interpolationNamed(std::string_view name) {
     return std::nullopt;
 }
 
-// By the names of Maya and FCollada, and by those of COLLADA 1.5's pre_behavior.
+// Knows the names of Maya and FCollada, and those of COLLADA 1.5's pre_behavior.
 Infinity infinityNamed(std::string_view name) {
     if (name == "LINEAR" || name == "GRADIENT") return Infinity::Linear;
     if (name == "CYCLE") return Infinity::Cycle;
@@ -33,7 +33,7 @@ Infinity infinityNamed(std::string_view name) {
     return Infinity::Constant;
 }
 
-// Exporters write it into a <technique> of the INPUT source (or its <extra>), or into the sampler's <extra>.
+// Exporters write the infinity into a <technique> of the INPUT source (or its <extra>), or into the sampler's <extra>.
 Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const char* attribute) {
     if (sampler.has(attribute)) return infinityNamed(sampler.attribute(attribute));
     for (XmlNode holder : {input, input.child("extra"), sampler.child("extra")})
@@ -49,7 +49,7 @@ XmlNode ownSource(XmlNode input) {
     return source.is("source") ? source : XmlNode();
 }
 
-// Channels find it by its id, so it has one.
+// A sampler has an id, since channels find it by that.
 std::string samplerName(XmlNode sampler) {
     return std::string(sampler.id());
 }
@@ -66,7 +66,7 @@ std::size_t widthOf(const DoubleSource& source, std::size_t keyCount) {
     return forgotten && (perKey == 3 || perKey == 4 || perKey == 16) ? perKey : source.width;
 }
 
-// Of wider times the first number counts; a stride that was forgotten is made up for.
+// Of times with more than one number, the first one counts. widthOf() has made up for a forgotten stride.
 void checkWidths(const DoubleSource& times, const DoubleSource& values, std::size_t width,
                  Diagnostics& diagnostics) {
     if (times.width != 1)
@@ -122,7 +122,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
         const std::string_view semantic = i.attribute("semantic");
         if (semantic == "INPUT") input = context_.documents.follow(i, "source", "source"), named[0] = true;
         if (semantic == "OUTPUT") output = context_.documents.follow(i, "source", "source"), named[1] = true;
-        // The rest has a substitute, so that a dangling reference is no error here.
+        // There is a substitute for the others, so a dangling reference is no error here.
         if (semantic == "INTERPOLATION") interpolation = ownSource(i);
         if (semantic == "IN_TANGENT") inTangent = ownSource(i);
         if (semantic == "OUT_TANGENT") outTangent = ownSource(i);
@@ -156,7 +156,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
     keys.values.resize(count * keys.width);
     readInterpolations(sampler, interpolation, keys);
     readTangents(sampler, inTangent, outTangent, keys);
-    mendTimes(sampler, *times, keys);
+    fixTimes(sampler, *times, keys);
     return true;
 }
 
@@ -201,9 +201,9 @@ void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outS
     std::replace_if(kinds.begin(), kinds.end(), needsTangents, Interpolation::Linear);
 }
 
-// Times must rise; two keys at one time are a jump. Others are put in order; where that brings together keys that did
-// not stand together, the first of them counts.
-void SamplerReader::mendTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
+// Times must rise; two keys at one time are a jump. If they do not rise, the keys are sorted. Of keys with the same time
+// that were not neighbours in the file, the first one counts.
+void SamplerReader::fixTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
     const std::size_t count = keys.times.size();
     bool sorted = true, crowded = false;
     std::size_t firstOdd = 0;
