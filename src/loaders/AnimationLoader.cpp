@@ -36,14 +36,7 @@ void loadAnimations(XmlNode collada, const SceneGraph& scene, const AnimationTar
 
     model.exactMotion = motion;
     if (context.progress) context.progress->begin(LoadProgress::Stage::Keys, workOf(*motion));
-    ClipFitter fitter(model, *motion, context, collada);
-    model.animations.push_back(fitter.whole(baseName(model.file)));
-    for (const ClipRange& range : clips) {
-        const Motion part = motion->restricted([&](int channel) { return range.plays(channel); });
-        if (part.joints.empty() && part.parameters.empty()) continue;
-        const double end = std::max(range.start, range.end.value_or(part.end()));
-        model.animations.push_back(fitter.clip(range.name, range.start, end, part, model.animations.front()));
-    }
+    model.animations = ClipFitter(model, *motion, context, collada).fit(baseName(model.file), clips);
 }
 
 }  // namespace walkcycle

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "loaders/ClipLoader.h"
+#include "loaders/KeyFrameFitter.h"
 #include "loaders/LoadContext.h"
 #include "loaders/Motion.h"
 #include "loaders/MotionReach.h"
@@ -13,27 +16,42 @@ namespace walkcycle {
 double workOf(const Motion& motion);
 
 // Makes clips of keyframes from the exact motion, within LoadOptions::tolerance.
+// Makes clips of key frames from the exact motion, within LoadOptions::tolerance. Where keys cannot do that, the clips
+// come as near as they can, and WC0513 is reported.
+//
+// A smaller tolerance never gives a larger Animation::achievedError. For that, the fitter knows two tolerances per
+// decade, its levels, and fits them in one order for all: the default tolerance is level 0, and from there it goes to
+// the finer or to the coarser ones, as far as the tolerance asks for.
 class ClipFitter {
 public:
     ClipFitter(const Model& model, const Motion& motion, const LoadContext& context, XmlNode collada);
 
-    // Everything that moves, over the whole timeline.
-    Animation whole(std::string name);
-    // A part of it. `motion` holds the channels that play. What moves as in `whole` is cut out of it.
-    Animation clip(std::string name, double start, double end, const Motion& motion, const Animation& whole);
+    // The whole timeline first, which is called `name`, then the clips. A clip in which nothing moves is left out.
+    std::vector<Animation> fit(const std::string& name, const std::vector<ClipRange>& clips);
 
 private:
-    void fit(const Motion& motion, const Animation* whole, Animation& animation);
-    void count(std::size_t keys);
+    struct Source {
+        const std::string& name;
+        const std::vector<ClipRange>& clips;
+    };
+    std::vector<Animation> refine(const Source& source, int level, double tolerance);
+    void coarsen(const Source& source, int level, std::vector<Animation>& animations);
+
+    std::vector<Animation> fitLevel(const Source& source, int level);
+    void fitClip(const Motion& motion, const Animation* whole, int level, Animation& animation);
+    void fitMotions(const Motion& motion, const Animation* whole, int level, Animation& animation);
+    KeyLimits keyLimits() const;
+    void count(std::size_t keys, std::size_t knots);
 
     const Model& model_;
     const Motion& motion_;
     const LoadContext& context_;
     XmlNode collada_;
     MotionReach reach_;
-    double share_;  // of the model's size: what each joint's budget is made from
-    std::uint64_t keys_ = 0;
-    std::size_t spare_ = 0;  // keys that motions may still take beyond those of the file
+    std::uint64_t keys_ = 0;         // of this level
+    std::size_t spareKeys_ = 0;      // that the motions of a clip may still take beyond those of the file
+    std::size_t spareKeysEach_ = 0;  // what one of them may take
+    bool ranOut_ = false;            // of spare keys: a smaller tolerance gives no better clips
 };
 
 }  // namespace walkcycle

@@ -22,7 +22,7 @@ double cubicSlope(double a, double b, double c, double d, double s) {
 
 }  // namespace
 
-// Newton's steps, kept within a bracket that halves whenever one would leave it: the time never falls along the
+// Newton's method. If a step would leave the bracket, the bracket is halved instead. The time never falls along the
 // curve, so there is one answer (or one flat stretch of them).
 double bezierParameter(double a, double b, double c, double d, double seconds) {
     if (!(d > a)) return 0.0;
@@ -40,7 +40,7 @@ double bezierParameter(double a, double b, double c, double d, double seconds) {
     return s;
 }
 
-Curve::Place Curve::placeOf(double seconds, Side side) const {
+Curve::KeyTime Curve::keyTimeOf(double seconds, Side side) const {
     const bool early = seconds < start();
     const bool late = seconds > end();
     const double length = end() - start();
@@ -60,7 +60,8 @@ Curve::Place Curve::placeOf(double seconds, Side side) const {
     return {start() + within, side, infinity == Infinity::CycleRelative ? cycle : 0.0};
 }
 
-// The segment that holds a time within the keys: [key, next key) from the right, (key, next key] from the left.
+// The segment of a time between the first and the last key: [key, next key) from the right, (key, next key] from the
+// left.
 std::size_t Curve::segmentAt(double seconds, Side side) const {
     const auto above = side == Side::Right ? std::upper_bound(times.begin(), times.end(), seconds)
                                            : std::lower_bound(times.begin(), times.end(), seconds);
@@ -68,7 +69,7 @@ std::size_t Curve::segmentAt(double seconds, Side side) const {
     return std::min(static_cast<std::size_t>(key), segments.size() - 1);
 }
 
-// Looks first where the last time was, and just behind.
+// Tries the segment of the time before and the next one first.
 std::size_t Curve::segmentAt(double seconds, Side side, std::size_t near) const {
     for (std::size_t k = near; k < near + 2 && k < segments.size(); ++k) {
         const double from = times[k], to = times[k + 1];
@@ -84,12 +85,12 @@ double Curve::bezier(std::size_t segment, std::size_t component, double seconds)
                  values[(segment + 1) * width + component], s);
 }
 
-void Curve::evaluateInside(double seconds, Side side, std::span<double> out, std::size_t& place) const {
+void Curve::evaluateInside(double seconds, Side side, std::span<double> out, std::size_t& hint) const {
     if (segments.empty() || (side == Side::Right && seconds >= end())) {
         std::copy_n(values.end() - static_cast<std::ptrdiff_t>(width), width, out.begin());
         return;
     }
-    const std::size_t k = place = segmentAt(seconds, side, place);
+    const std::size_t k = hint = segmentAt(seconds, side, hint);
     const double length = times[k + 1] - times[k];
     const double progression = length > 0.0 ? (seconds - times[k]) / length : 0.0;  // seen from the left
     const double* a = &values[k * width];
@@ -117,13 +118,13 @@ std::optional<glm::dmat4> Curve::blendedAt(double seconds, Side side) const {
 }
 
 void Curve::evaluate(double seconds, Side side, std::span<double> out) const {
-    std::size_t place = 0;
-    evaluate(seconds, side, out, place);
+    std::size_t hint = 0;
+    evaluate(seconds, side, out, hint);
 }
 
-void Curve::evaluate(double seconds, Side side, std::span<double> out, std::size_t& place) const {
-    const Place at = placeOf(seconds, side);
-    evaluateInside(at.seconds, at.side, out, place);
+void Curve::evaluate(double seconds, Side side, std::span<double> out, std::size_t& hint) const {
+    const KeyTime at = keyTimeOf(seconds, side);
+    evaluateInside(at.seconds, at.side, out, hint);
     if (at.cycles != 0.0)
         for (std::size_t c = 0; c < width; ++c)
             out[c] += at.cycles * (values[values.size() - width + c] - values[c]);
@@ -131,9 +132,9 @@ void Curve::evaluate(double seconds, Side side, std::span<double> out, std::size
         for (std::size_t c = 0; c < width; ++c) out[c] += at.beyond * slope(at.beyond > 0.0, c);
 }
 
-// Value per second at the first or last key; along the handle, where there is one.
+// Value per second at the first or last key, along the handle if there is one.
 double Curve::slope(bool atEnd, std::size_t component) const {
-    assert(!segments.empty());  // what has one key has no length to go on from
+    assert(!segments.empty());  // a single key has no slope
     const std::size_t k = atEnd ? segments.size() - 1 : 0;
     glm::dvec2 a(times[k], values[k * width + component]),
         b(times[k + 1], values[(k + 1) * width + component]);
@@ -154,17 +155,17 @@ bool Curve::mayJump() const {
 }
 
 bool Curve::holds(double from, double to) const {
-    std::size_t place = 0;
-    return holds(from, to, place);
+    std::size_t hint = 0;
+    return holds(from, to, hint);
 }
 
-bool Curve::holds(double from, double to, std::size_t& place) const {
+bool Curve::holds(double from, double to, std::size_t& hint) const {
     const double middle = 0.5 * (from + to);
     const Infinity infinity = middle < start() ? before : after;
     const bool outside = middle < start() || middle > end();
     if (segments.empty() || (outside && infinity == Infinity::Constant)) return true;
     if (outside && infinity == Infinity::Linear) return false;
-    const std::size_t k = place = segmentAt(placeOf(middle, Side::Right).seconds, Side::Right, place);
+    const std::size_t k = hint = segmentAt(keyTimeOf(middle, Side::Right).seconds, Side::Right, hint);
     if (segments[k].kind == Kind::Step) return true;
     const double* a = &values[k * width];
     if (!std::equal(a, a + width, a + width)) return false;
@@ -179,10 +180,11 @@ void Curve::knots(double from, double to, std::size_t limit, std::vector<double>
     const std::size_t most = out.size() + limit;
     const double length = end() - start();
     const auto repeats = [](Infinity i) { return i != Infinity::Constant && i != Infinity::Linear; };
-    double first = 0.0, last = 0.0;  // cycles that reach into the range
+    double first = 0.0, last = 0.0;  // the cycles that overlap the range
     if (length > 0.0 && repeats(before)) first = std::min(0.0, std::floor((from - start()) / length));
     if (length > 0.0 && repeats(after)) last = std::max(0.0, std::ceil((to - end()) / length));
-    // Counted, since far from zero a cycle plus one is the same cycle. Each but the outermost has a knot in the range.
+    // The cycles are counted in integers: far from zero, a double plus one is the same double. Each cycle but the
+    // outermost has a knot in the range.
     for (std::size_t n = 0; n < limit + 2 && out.size() < most; ++n) {
         const double cycle = first + static_cast<double>(n);
         if (cycle > last) break;
@@ -197,11 +199,11 @@ void Curve::knots(double from, double to, std::size_t limit, std::vector<double>
     }
 }
 
-double Curve::travel(double from, double to, std::size_t component, std::size_t& place) const {
-    if (holds(from, to, place)) return 0.0;
-    const Place at = placeOf(0.5 * (from + to), Side::Right);
+double Curve::travel(double from, double to, std::size_t component, std::size_t& hint) const {
+    if (holds(from, to, hint)) return 0.0;
+    const KeyTime at = keyTimeOf(0.5 * (from + to), Side::Right);
     if (at.beyond != 0.0) return std::abs(slope(at.beyond > 0.0, component)) * (to - from);
-    const std::size_t k = segmentAt(at.seconds, Side::Right, place);
+    const std::size_t k = segmentAt(at.seconds, Side::Right, hint);
     const double a = values[k * width + component], b = values[(k + 1) * width + component];
     double way = std::abs(b - a);
     if (segments[k].kind == Kind::Bezier) {

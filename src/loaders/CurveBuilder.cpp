@@ -9,22 +9,22 @@ namespace walkcycle {
 
 namespace {
 
-// One component of the keys, as points of the plane (seconds, value), where all of COLLADA's splines live
+// One component of the keys, as points (seconds, value) of the plane in which COLLADA defines its splines
 // (COLLADA 1.4.1, chapter 4, "Curve Interpolation").
 struct Points {
     const CurveKeys& keys;
     std::size_t component;
-    std::size_t first = 0, last = keys.times.size() - 1;  // the run of keys that a spline knows about
+    std::size_t first = 0, last = keys.times.size() - 1;  // the keys of the spline
 
     glm::dvec2 at(std::size_t i) const { return {keys.times[i], keys.values[i * keys.width + component]}; }
 
-    // Beyond its ends a spline has mirrored points, so that it starts and ends straight, and at its end keys.
+    // Beyond its ends a spline has mirrored points. With these it starts and ends at its end keys, without curvature.
     glm::dvec2 before(std::size_t i) const { return i > first ? at(i - 1) : 2.0 * at(i) - at(i + 1); }
     glm::dvec2 after(std::size_t i) const { return i < last ? at(i + 1) : 2.0 * at(i) - at(i - 1); }
 };
 
-// What the file gives for a key: for BEZIER a control point, for HERMITE a tangent. Tangents of one number have
-// no time of their own: it runs evenly, control points then stand at the thirds.
+// What the file gives for a key: for BEZIER a control point, for HERMITE a tangent. Tangents of one number have no time.
+// Then time runs evenly, and the control points are at the thirds.
 glm::dvec2 tangent(const CurveKeys& keys, bool incoming, std::size_t key, std::size_t component,
                    double evenTime) {
     const double* numbers = (incoming ? keys.inTangents : keys.outTangents).data() + key * keys.tangentWidth;
@@ -50,13 +50,17 @@ Handles handlesOf(const CurveKeys& keys, std::size_t i, std::size_t component) {
                     b - tangent(keys, true, i + 1, component, length) / 3.0};
         case Interpolation::Cardinal:  // of no tension: Catmull-Rom
             return {a + (b - points.before(i)) / 6.0, b - (points.after(i + 1) - a) / 6.0};
-        default:  // B-spline: its end points have been moved already, the handles are at the thirds between the keys
-            return {(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0};
+        case Interpolation::
+            BSpline:  // moveOntoSplines() moves the end points; the handles are at the thirds between keys
+        case Interpolation::Linear:
+        case Interpolation::Step:
+            break;
     }
+    return {(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0};
 }
 
-// A B-spline passes its keys by; where a run of its segments begins and ends it goes through the key, so that it joins
-// what comes before and after. Moves the inner points of every run onto the curve.
+// A B-spline does not pass through its keys, except at both ends, where it meets the segments of other kinds. Moves the
+// inner points of each B-spline from the keys onto the curve.
 void moveOntoSplines(const CurveKeys& keys, Curve& curve) {
     const std::size_t segmentCount = keys.times.size() - 1;
     for (std::size_t i = 0; i < segmentCount; ++i) {
@@ -73,7 +77,7 @@ void moveOntoSplines(const CurveKeys& keys, Curve& curve) {
     }
 }
 
-// Handles that leave their segment's time would make the curve turn back; they are stopped at its ends.
+// Handles outside the time of their segment would let time run backwards. They are clamped to its ends.
 void addHandles(const CurveKeys& keys, std::size_t i, Curve& curve) {
     for (std::size_t c = 0; c < keys.width; ++c) {
         Handles h = handlesOf(keys, i, c);
@@ -88,8 +92,8 @@ bool isPlain(Interpolation interpolation) {
     return interpolation == Interpolation::Linear || interpolation == Interpolation::Step;
 }
 
-// Keys that are flattened to nothing do not turn: they take the rotation of the key before them, or of the first
-// one that has a rotation.
+// Keys that are scaled to nothing have no rotation. They take that of the key before them, or of the first key that has
+// one.
 void splitMatrices(Curve& curve) {
     curve.parts.reserve(curve.times.size());
     glm::dquat near{1.0, 0.0, 0.0, 0.0};
@@ -100,9 +104,9 @@ void splitMatrices(Curve& curve) {
         for (std::size_t i = 0; i < curve.times.size(); ++i) {
             curve.parts.push_back(partsOf(affineFromRows<double>(&curve.values[i * 16]), previous));
             previous = curve.parts.back().rotation;
-            if (curve.parts.back().turns && !found) near = previous, found = true;
+            if (curve.parts.back().hasRotation && !found) near = previous, found = true;
         }
-        if (curve.parts.front().turns || !found) break;
+        if (curve.parts.front().hasRotation || !found) break;
     }
 }
 
@@ -119,7 +123,7 @@ Curve makeCurve(CurveKeys keys) {
     if (std::all_of(keys.interpolations.begin(), keys.interpolations.end(), isPlain)) {
         curve.times = std::move(keys.times);
         curve.values = std::move(keys.values);
-    } else {  // the handles are made from what the splines may move
+    } else {  // the handles are made from the keys, which moveOntoSplines() moves
         curve.times = keys.times;
         curve.values = keys.values;
         moveOntoSplines(keys, curve);

@@ -8,15 +8,16 @@
 
 namespace walkcycle {
 
-// How far off a joint's local transform may be, and where that shows.
+// How far off a joint's local transform may be. An error is measured where the farthest point is that the joint moves.
 struct Tolerance {
     double budget = 0.0;  // model-space distance
     double unit = 1.0;    // model-space length of one unit of the joint's parent
-    double reach = 1.0;   // how far from the joint, in its own units, the farthest point hangs that it moves
+    double reach =
+        1.0;  // distance from the joint to the farthest point that it moves, in the joint's own units
 };
 
-// The forms that the run-time has for the way between two keys. Each is made `through` a piece of the exact motion,
-// says where it is `at` a progression from 0 to 1, and how far that is from the exact value.
+// The forms of interpolation that the run-time has between two keys. through() fits one to the exact motion from one time
+// to another, and at() gives its value at a progression from 0 to 1.
 
 // Positions and scales on straight lines, rotations the short way round at constant speed.
 struct StraightTransform {
@@ -62,7 +63,7 @@ struct CurvedTransform {
     ExactTransform at(double progression) const;
 };
 
-// For what no joint transform can hold: number by number.
+// For motion that no joint transform can hold: each number of a matrix on a straight line.
 struct StraightMatrix {
     static constexpr bool kHasTangents = false;
     using Value = glm::dmat4;
@@ -103,7 +104,7 @@ struct CurvedNumber {
     double at(double progression) const { return Hermite(progression).value(a, leaving, b, arriving); }
 };
 
-// Model-space distance, never underestimated, between where two transforms put the farthest point.
+// Upper bound of the distance in model space between where two transforms put the farthest point.
 double distance(const ExactTransform& exact, const ExactTransform& keyed, const Tolerance& tolerance);
 double distance(const glm::dmat4& exact, const glm::dmat4& keyed, const Tolerance& tolerance);
 double distance(double exact, double keyed, const Tolerance& tolerance);

@@ -3,22 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
+#include <utility>
 
+#include "loaders/DecomposedMotion.h"
 #include "loaders/RunFitter.h"
-#include "loaders/StackParts.h"
 
 namespace walkcycle {
 
 namespace {
 
-// A stretch of the timeline without jumps inside. One that ends in a jump and does not move is a step.
-struct Run {
-    std::vector<double> knots;
-    bool isStep = false;
-};
-
-// Splits the time between `from` and `to` where the motion jumps. The last run may be of `to` alone: a jump there.
+// Splits the knots where the motion jumps. If it jumps at the last one, the last run is that time alone.
 template <typename MotionOfOne, typename Jumps>
 std::vector<Run> runsOf(const MotionOfOne& motion, const std::vector<double>& knots, const Jumps& jumps) {
     std::vector<Run> runs(1);
@@ -36,95 +30,56 @@ std::vector<Run> runsOf(const MotionOfOne& motion, const std::vector<double>& kn
     return runs;
 }
 
-constexpr double kMostDegrees = 60.0;
-
-// Whether a motion turns so fast that so many keys would be more than half a circle apart: then they say nothing, and
-// looking for better ones would take long and find none.
-bool isBeyondKeys(const std::vector<double>& degrees, std::size_t limit) {
-    const double wanted = std::accumulate(degrees.begin(), degrees.end(), 0.0) / kMostDegrees;
-    return !(wanted < 2.5 * static_cast<double>(limit));
+// A few keys more than the file has are always allowed. Beyond that a motion may take spare keys: a joint that rotates
+// a thousand times between two keys must not cost more than the file is worth. WC0513 reports the error that is left.
+std::size_t mostKeys(std::size_t knots, const KeyLimits& limits) {
+    return std::min(limits.most, 2 * knots + 32 + std::min(limits.spareKeys, 4096 + 64 * knots));
 }
 
+// From its ends, a rotation by more than half a circle looks like a shorter one the other way round. So long rotations
+// get knots in between. There are at most `spare` of these, evenly spread over the degrees of the motion.
+class RotationSplitter {
+public:
+    // `degrees` as from JointMotion::degreesRotated.
+    RotationSplitter(const std::vector<double>& degrees, std::size_t spare) : degrees_(degrees) {
+        if (degrees.empty()) return;
+        const double all = std::accumulate(degrees.begin(), degrees.end(), 0.0);
+        if (all > 0.0) degreesPerKey_ = std::max(60.0, all / static_cast<double>(spare));
+        const double most = *std::max_element(degrees.begin(), degrees.end());
+        isTooFast_ = !std::isfinite(all) || (degreesPerKey_ >= kTooFar && most >= kTooFar);
+    }
+
+    // Whether even so two keys would be about half a circle apart. Such keys say nothing, and to look for better ones
+    // takes long and finds none.
+    bool isTooFast() const { return isTooFast_; }
+
+    std::vector<double> split(const std::vector<double>& knots) const {
+        if (degrees_.empty() || isTooFast_) return knots;
+        std::vector<double> all{knots.front()};
+        all.reserve(knots.size());
+        for (std::size_t i = 1; i < knots.size(); ++i) {
+            const int parts = static_cast<int>(std::ceil(degrees_[i - 1] / degreesPerKey_));
+            for (int p = 1; p < parts; ++p)
+                all.push_back(knots[i - 1] + (knots[i] - knots[i - 1]) * p / parts);
+            all.push_back(knots[i]);
+        }
+        return all;
+    }
+
+private:
+    static constexpr double kTooFar = 150.0;
+
+    const std::vector<double>& degrees_;
+    double degreesPerKey_ = 60.0;
+    bool isTooFast_ = false;
+};
+
 // Whether the knots are all that the file has, and none was left out for a limit.
-bool isAll(const JointMotion& motion, std::size_t limit) {
+bool hasAllKnots(const JointMotion& motion, std::size_t limit) {
     std::size_t knots = 2;
     for (const CurveBinding& binding : motion.bindings) knots += binding.curve->times.size();
     return knots < limit;
 }
-
-// A turn of more than half a circle looks like a short one from its ends, so long turns are cut up beforehand.
-// (`degrees` as JointMotion::degreesTurned gives them.)
-std::vector<double> withTurnsCut(const std::vector<double>& knots, const std::vector<double>& degrees,
-                                 std::size_t limit) {
-    if (degrees.empty()) return knots;
-    std::vector<double> cut{knots.front()};
-    cut.reserve(knots.size());
-    for (std::size_t i = 1; i < knots.size(); ++i) {
-        const double wanted = std::ceil(degrees[i - 1] / kMostDegrees);
-        const double room = static_cast<double>(limit - std::min(limit, cut.size()));
-        const int parts = static_cast<int>(std::clamp(wanted, 1.0, std::clamp(room, 1.0, 1e6)));
-        for (int p = 1; p < parts; ++p) cut.push_back(knots[i - 1] + (knots[i] - knots[i - 1]) * p / parts);
-        cut.push_back(knots[i]);
-    }
-    return cut;
-}
-
-// The exact motion of one joint as transforms; notices what they cannot hold.
-class TransformOf {
-public:
-    TransformOf(const JointMotion& motion, const Tolerance& tolerance)
-        : motion_(motion), tolerance_(tolerance), straight_(motion.isStraight()) {
-        if (StackParts::canTell(motion)) stack_.emplace(motion);
-    }
-
-    ExactTransform at(double seconds, Side side) {
-        const MatrixParts* const key = straight_ && side == Side::Right ? keyAt(seconds) : nullptr;
-        MatrixParts other;
-        if (!key && (!stack_ || !stack_->at(seconds, side, other)))
-            other = partsOf(motion_.localTransform(seconds, side), near_);
-        const MatrixParts& parts = key ? *key : other;
-        near_ = glm::dot(parts.rotation, near_) < 0.0 ? -parts.rotation : parts.rotation;
-        const bool isMirrored = parts.stretch[0][0] < 0.0;
-        if (first_) wasMirrored_ = isMirrored;
-        first_ = false;
-        if (!parts.turns || isMirrored != wasMirrored_ || shear(parts, tolerance_) > 2.0 * tolerance_.budget)
-            fits_ = false;
-        return {parts.position, near_, parts.scale()};
-    }
-    bool fits() const { return fits_; }
-
-    // Looks at the knots and between them, so that no keys are sought for what will not fit.
-    bool fits(const std::vector<double>& knots) {
-        for (std::size_t i = 1; i < knots.size() && fits_; ++i) {
-            at(knots[i - 1], Side::Right);
-            at(0.5 * (knots[i - 1] + knots[i]), Side::Right);
-        }
-        return fits_;
-    }
-
-private:
-    // The parts of a key that is a whole matrix, which its curve knows already; null where they say too little.
-    const MatrixParts* keyAt(double seconds) {
-        const Curve& curve = *motion_.bindings[0].curve;
-        const std::vector<double>& times = curve.times;
-        ++key_;  // they are asked for one after the other
-        if (key_ >= times.size() || times[key_] != seconds || times[key_ - 1] == seconds)
-            key_ = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), seconds) -
-                                            times.begin());
-        const bool isKey = key_ < times.size() && times[key_] == seconds;
-        if (!isKey || (key_ + 1 < times.size() && times[key_ + 1] == seconds) || curve.parts.empty())
-            return nullptr;
-        return curve.parts[key_].turns ? &curve.parts[key_] : nullptr;
-    }
-
-    const JointMotion& motion_;
-    const Tolerance& tolerance_;
-    const bool straight_;
-    std::optional<StackParts> stack_;
-    std::size_t key_ = 0;
-    glm::dquat near_{1.0, 0.0, 0.0, 0.0};
-    bool first_ = true, wasMirrored_ = false, fits_ = true;
-};
 
 KeyTangents::Rates toRates(const TransformRates<double>& perWay, double seconds) {
     return {glm::vec3(perWay.position / seconds), glm::quat(perWay.rotation / seconds),
@@ -132,8 +87,14 @@ KeyTangents::Rates toRates(const TransformRates<double>& perWay, double seconds)
 }
 
 void append(Channel& channel, const RunKeys<StraightTransform>& keys, bool isStep) {
-    for (std::size_t i = 0; i < keys.times.size(); ++i)
-        channel.keyFrames.push_back({keys.times[i], JointTransform(keys.values[i]), isStep});
+    for (std::size_t i = 0; i < keys.times.size(); ++i) {
+        JointTransform transform(keys.values[i]);
+        // q and -q are the same rotation; programs that blend them number by number need neighbours on one side.
+        if (!channel.keyFrames.empty() &&
+            glm::dot(channel.keyFrames.back().transform.rotation, transform.rotation) < 0.0f)
+            transform.rotation = -transform.rotation;
+        channel.keyFrames.push_back({keys.times[i], transform, isStep});
+    }
 }
 
 void append(Channel& channel, const RunKeys<CurvedTransform>& keys, bool isStep) {
@@ -168,91 +129,125 @@ void append(ParameterTrack& track, const RunKeys<CurvedNumber>& keys, bool isSte
     }
 }
 
-// Fits every run in one form. `exact(seconds, side)` gives the motion. False where the limit came before the tolerance.
-template <typename Form, typename Exact, typename Target>
-bool fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& tolerance, bool isStraight,
-             std::size_t limit, Target& target) {
-    bool isWithin = true;
-    for (const Run& run : runs) {
-        const double end = run.knots.back();
-        const auto within = [&](double seconds) {
-            return exact(seconds, run.knots.size() > 1 && seconds == end ? Side::Left : Side::Right);
+// Keys of one form, and the largest error that the search for them has left, as a distance in model space.
+template <typename Target>
+struct Fit {
+    Target keys;
+    double error = 0.0;
+};
+
+template <typename Form, typename Target, typename Exact>
+Fit<Target> fitRuns(const std::vector<Run>& runs, Exact exact, const Tolerance& tolerance, bool isStraight,
+                    std::size_t mostSplits, Target empty) {
+    RunFitter<Form, Exact> fitter(exact, tolerance, isStraight);
+    const auto keys = fitter.fit(runs, mostSplits);
+    Fit<Target> fit{std::move(empty), fitter.largestError()};
+    for (std::size_t i = 0; i < runs.size(); ++i) append(fit.keys, keys[i], runs[i].isStep);
+    return fit;
+}
+
+// Tries the forms that a joint's keys can have, the cheapest first.
+class ChannelFitter {
+public:
+    ChannelFitter(const JointMotion& motion, const std::vector<double>& times, const Tolerance& tolerance,
+                  const KeyLimits& limits)
+        : motion_(motion), tolerance_(tolerance), transforms_(motion, tolerance) {
+        const std::size_t most = mostKeys(times.size(), limits);
+        const std::vector<double> degrees = motion.degreesRotated(times);
+        const RotationSplitter splitter(degrees, most - std::min(most, times.size()));
+        const std::vector<double> knots = splitter.split(times);
+        isTooFast_ = splitter.isTooFast();
+        knots_ = knots.size();
+        mostSplits_ = isTooFast_ ? 0 : most - std::min(most, knots_);
+        const bool rotatesEvenly =
+            !isTooFast_ && knots_ < most && hasAllKnots(motion, limits.most) && motion.rotatesEvenly();
+        isStraight_ = rotatesEvenly || motion.isStraight();
+        holds_ = isStraight_ || transforms_.holds(knots);
+        const auto jumps = [&](double t) {
+            return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),
+                            tolerance) > 0.01 * tolerance.budget;
         };
-        const std::vector<double> first{run.knots.front()};
-        RunFitter<Form, decltype(within)> fitter(within, tolerance, isStraight, limit);
-        const auto keys = fitter.fit(run.isStep ? first : run.knots);
-        append(target, keys, run.isStep);
-        isWithin = isWithin && keys.isWithin;
+        runs_ = runsOf(motion, knots, jumps);
     }
-    return isWithin;
-}
 
-Channel fitMatrices(const JointMotion& motion, const std::vector<Run>& runs, const Tolerance& tolerance,
-                    std::size_t limit) {
-    Channel channel{.joint = motion.joint};
-    const auto exact = [&](double seconds, Side side) { return motion.localTransform(seconds, side); };
-    fitRuns<StraightMatrix>(runs, exact, tolerance, motion.isStraightByNumber(), limit, channel);
-    return channel;
-}
+    Channel fit() {
+        if (!holds_) return fitMatrices();
+        const bool isByNumber =
+            motion_.isStraightByNumber();  // then matrices need no more keys than the file has
+        const std::size_t fewSplits = isByNumber ? runs_.size() : knots_ + 32 * runs_.size();
+        Fit<Channel> straight =
+            fitTransforms<StraightTransform>(isStraight_, std::min(mostSplits_, fewSplits));
+        const std::size_t straightKeys = straight.keys.keyFrames.size();
+        const bool isEnough = straight.error <= tolerance_.budget;
+        if (!transforms_.holds() || (isByNumber && !isEnough)) return fitMatrices();
+        if (isTooFast_ || (isEnough && straightKeys <= knots_)) return std::move(straight.keys);
 
-// How many keys a motion may get whose file has so many times: a turn of a thousand rounds between two keys must not
-// cost more than the file itself is worth. What is lost by that is measured and said (WC0513).
-std::size_t mostKeys(std::size_t knots, std::size_t spare, std::size_t limit) {
-    return std::min(limit, 2 * knots + 32 + std::min(spare, 4096 + 64 * knots));
-}
+        Fit<Channel> curved = fitTransforms<CurvedTransform>(false, mostSplits_);
+        if (!transforms_.holds()) return fitMatrices();
+        const bool isBetter =
+            isEnough ? 2 * curved.keys.keyFrames.size() < straightKeys : curved.error < straight.error;
+        return std::move(isBetter ? curved.keys : straight.keys);
+    }
+
+private:
+    template <typename Form>
+    Fit<Channel> fitTransforms(bool isStraight, std::size_t mostSplits) {
+        const auto exact = [&](double seconds, Side side) { return transforms_.at(seconds, side); };
+        return fitRuns<Form>(runs_, exact, tolerance_, isStraight, mostSplits,
+                             Channel{.joint = motion_.joint});
+    }
+
+    // Blended number by number, matrices take many keys for a rotation. Where they take too many, transforms without
+    // the shear may still be nearer.
+    Channel fitMatrices() {
+        const auto exact = [&](double seconds, Side side) { return motion_.localTransform(seconds, side); };
+        Fit<Channel> best = fitRuns<StraightMatrix>(runs_, exact, tolerance_, motion_.isStraightByNumber(),
+                                                    mostSplits_, Channel{.joint = motion_.joint});
+        const auto take = [&](Fit<Channel> other) {
+            if (other.error + transforms_.lost() < best.error) best = std::move(other);
+        };
+        if (best.error > tolerance_.budget && std::isfinite(transforms_.lost())) {
+            take(fitTransforms<StraightTransform>(isStraight_, mostSplits_));
+            take(fitTransforms<CurvedTransform>(false, mostSplits_));
+        }
+        return std::move(best.keys);
+    }
+
+    const JointMotion& motion_;
+    const Tolerance& tolerance_;
+    DecomposedMotion transforms_;
+    std::vector<Run> runs_;
+    std::size_t knots_ = 0, mostSplits_ = 0;
+    bool isTooFast_ = false;   // see RotationSplitter
+    bool isStraight_ = false;  // between its knots the motion is as a run-time's transform blends
+    bool holds_ = false;       // transforms seem to be enough
+};
 
 }  // namespace
 
 Channel fitChannel(const JointMotion& motion, const std::vector<double>& times, const Tolerance& tolerance,
-                   std::size_t limit, std::size_t spare) {
-    const bool allKnots = isAll(motion, limit);
-    limit = mostKeys(times.size(), spare, limit);
-    const std::vector<double> degrees = motion.degreesTurned(times);
-    const bool isBeyond = isBeyondKeys(degrees, limit);
-    const std::vector<double> knots = isBeyond ? times : withTurnsCut(times, degrees, limit);
-    if (isBeyond) limit = times.size();
-    const auto jumps = [&](double t) {
-        return distance(motion.localTransform(t, Side::Left), motion.localTransform(t, Side::Right),
-                        tolerance) > 0.01 * tolerance.budget;
-    };
-    const std::vector<Run> runs = runsOf(motion, knots, jumps);
-    TransformOf transform(motion, tolerance);
-    const auto exact = [&](double seconds, Side side) { return transform.at(seconds, side); };
-
-    const bool turnsStraight = !isBeyond && allKnots && knots.size() < limit && motion.turnsStraight();
-    const bool isStraight = turnsStraight || motion.isStraight();
-    if (!isStraight && !transform.fits(knots)) return fitMatrices(motion, runs, tolerance, limit);
-    Channel straight{.joint = motion.joint};
-    const bool byNumber = motion.isStraightByNumber();  // then matrices need no more keys than the file has
-    const std::size_t fewEnough = std::min(limit, byNumber ? knots.size() + 1 : 2 * knots.size() + 32);
-    const bool enough = fitRuns<StraightTransform>(runs, exact, tolerance, isStraight, fewEnough, straight);
-    if (isBeyond && transform.fits()) return straight;
-    if (!enough && spare == 0 && transform.fits()) return straight;
-    if (byNumber && !enough) return fitMatrices(motion, runs, tolerance, limit);
-    if (transform.fits() && (!enough || straight.keyFrames.size() > knots.size())) {
-        Channel curved{.joint = motion.joint};
-        fitRuns<CurvedTransform>(runs, exact, tolerance, false, limit, curved);
-        if (transform.fits() && (!enough || 2 * curved.keyFrames.size() < straight.keyFrames.size()))
-            return curved;
-    }
-    return transform.fits() ? straight : fitMatrices(motion, runs, tolerance, limit);
+                   const KeyLimits& limits) {
+    return ChannelFitter(motion, times, tolerance, limits).fit();
 }
 
-ParameterTrack fitTrack(const ParameterMotion& motion, const std::vector<double>& knots,
-                        const Tolerance& tolerance, std::size_t limit, std::size_t spare) {
+ParameterTrack fitTrack(const ParameterMotion& motion, const std::vector<double>& times,
+                        const Tolerance& tolerance, const KeyLimits& limits) {
     const auto exact = [&](double seconds, Side side) { return motion.value(seconds, side); };
     const auto jumps = [&](double t) {
         return distance(exact(t, Side::Left), exact(t, Side::Right), tolerance) > 0.01 * tolerance.budget;
     };
-    limit = mostKeys(knots.size(), spare, limit);
-    const std::vector<Run> runs = runsOf(motion, knots, jumps);
-    ParameterTrack straight{.parameter = motion.parameter};
-    const std::size_t fewEnough = std::min(limit, 2 * knots.size() + 32);
-    const bool enough = fitRuns<StraightNumber>(runs, exact, tolerance, false, fewEnough, straight);
-    if (enough && straight.keyFrames.size() <= knots.size()) return straight;
-    ParameterTrack curved{.parameter = motion.parameter};
-    fitRuns<CurvedNumber>(runs, exact, tolerance, false, limit, curved);
-    return !enough || 2 * curved.keyFrames.size() < straight.keyFrames.size() ? curved : straight;
+    const std::vector<Run> runs = runsOf(motion, times, jumps);
+    const std::size_t most = mostKeys(times.size(), limits), mostSplits = most - std::min(most, times.size());
+    const std::size_t fewSplits = std::min(mostSplits, times.size() + 32 * runs.size());
+    const ParameterTrack empty{.parameter = motion.parameter};
+    auto straight = fitRuns<StraightNumber>(runs, exact, tolerance, false, fewSplits, empty);
+    const std::size_t straightKeys = straight.keys.keyFrames.size();
+    const bool isEnough = straight.error <= tolerance.budget;
+    if (isEnough && straightKeys <= times.size()) return std::move(straight.keys);
+    auto curved = fitRuns<CurvedNumber>(runs, exact, tolerance, false, mostSplits, empty);
+    const bool isBetter =
+        isEnough ? 2 * curved.keys.keyFrames.size() < straightKeys : curved.error < straight.error;
+    return std::move(isBetter ? curved.keys : straight.keys);
 }
 
 }  // namespace walkcycle

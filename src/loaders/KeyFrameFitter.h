@@ -8,13 +8,21 @@
 
 namespace walkcycle {
 
-// Turns exact motion into the run-time's keyframes. `times`: its knots between two times of the timeline, these included.
-// `limit`: no more keys than that; `spare`: nor than so many beyond two for each key of the file.
-// Steps stay steps, jumps become two keys at one time. Smooth motion gets cubic curves where straight lines would need
-// more keys than the file has; what no joint transform can hold (shear, mirroring or flattening on the way) gets matrices.
+// How many key frames a motion may get.
+struct KeyLimits {
+    std::size_t most = SIZE_MAX;
+    std::size_t spareKeys = SIZE_MAX;  // beyond two per key of the file and a few
+};
+
+// Makes the key frames of one joint from its exact motion. `times` are the motion's knots between the clip's start and
+// end, both included. Steps stay steps, and a jump becomes two keys at one time. Smooth motion gets cubic curves if
+// straight lines would need more keys than the file has. What a joint transform cannot hold (shear, and mirroring or
+// flattening on the way) becomes matrices.
 Channel fitChannel(const JointMotion& motion, const std::vector<double>& times, const Tolerance& tolerance,
-                   std::size_t limit, std::size_t spare = SIZE_MAX);
-ParameterTrack fitTrack(const ParameterMotion& motion, const std::vector<double>& knots,
-                        const Tolerance& tolerance, std::size_t limit, std::size_t spare = SIZE_MAX);
+                   const KeyLimits& limits = {});
+
+// The same for one number.
+ParameterTrack fitTrack(const ParameterMotion& motion, const std::vector<double>& times,
+                        const Tolerance& tolerance, const KeyLimits& limits = {});
 
 }  // namespace walkcycle

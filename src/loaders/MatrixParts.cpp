@@ -12,18 +12,18 @@ namespace walkcycle {
 
 namespace {
 
-// The part of `v` across `axis`, of unit length; zero where there is none beside rounding.
+// The unit vector along the part of `v` at right angles to `axis`; zero if that part is not longer than `smallest`.
 glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& axis, double smallest) {
     const glm::dvec3 rest = v - axis * glm::dot(v, axis);
     const double length = glm::length(rest);
     return length > smallest ? rest / length : glm::dvec3(0.0);
 }
 
-// Beside the longest axis, a shorter one than this is rounding.
+// An axis this much shorter than the longest one is a rounding error.
 constexpr double kLost = 1e-9;
 
-// Gram-Schmidt, columns in order: x keeps its direction, y what is across x, z what is left. False where one of them is
-// lost.
+// Gram-Schmidt: x keeps its direction, y is made orthogonal to x, z to both. Returns false if one of them is lost, that is,
+// scaled to nothing.
 bool findAxes(const glm::dmat3& linear, glm::dmat3& axes) {
     const glm::dvec3 squares(glm::dot(linear[0], linear[0]), glm::dot(linear[1], linear[1]),
                              glm::dot(linear[2], linear[2]));
@@ -35,14 +35,15 @@ bool findAxes(const glm::dmat3& linear, glm::dmat3& axes) {
     const double square = glm::dot(y, y);
     if (!(square > smallest) || !(glm::dot(z, z) > smallest)) return false;
     y /= std::sqrt(square);
-    if (square < 0.01 * squares.y) y = across(y, x, 0.0);  // so little was left that rounding leans it
+    if (square < 0.01 * squares.y)
+        y = across(y, x, 0.0);  // nearly parallel to x: once more, against rounding errors
     axes = {x, y, glm::cross(x, y)};
     if (glm::dot(axes[2], linear[2]) < 0.0) axes[0] = -axes[0], axes[2] = -axes[2];
     return true;
 }
 
-// The same where one axis or more is lost: what is left of them, and the rotation of `near`. False where that says
-// nearly all.
+// The same if axes are lost: keeps the others, and takes the lost ones from the rotation `near`. Returns false if two axes
+// or more are lost, so that the result is hardly more than `near`.
 bool guessAxes(const glm::dmat3& linear, const glm::dquat& near, glm::dmat3& axes) {
     const glm::dmat3 open = glm::mat3_cast(near);
     const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
@@ -77,7 +78,7 @@ MatrixParts partsOf(const glm::dmat4& matrix, const glm::dquat& near) {
     MatrixParts parts;
     parts.position = matrix[3];
     glm::dmat3 axes;
-    if (!findAxes(linear, axes)) parts.turns = guessAxes(linear, near, axes);
+    if (!findAxes(linear, axes)) parts.hasRotation = guessAxes(linear, near, axes);
     parts.rotation = glm::normalize(glm::quat_cast(axes));
     if (glm::dot(parts.rotation, near) < 0.0) parts.rotation = -parts.rotation;
     parts.stretch = glm::transpose(axes) * linear;

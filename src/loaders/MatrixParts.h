@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// An affine matrix as translate * rotate * stretch, exactly. The stretch is the diagonal of the scales where the
-// matrix has no shear; mirroring shows as a negative first scale.
+// An affine matrix as the product translate * rotate * stretch, without loss. Without shear, the stretch is a diagonal
+// matrix of the scales. A mirrored matrix has a negative first scale.
 struct MatrixParts {
     glm::dvec3 position{0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
@@ -16,15 +16,15 @@ struct MatrixParts {
 
     glm::dmat4 toMatrix() const;
     glm::dvec3 scale() const { return {stretch[0][0], stretch[1][1], stretch[2][2]}; }
-    bool turns = true;  // false: flattened so far that its rotation is a guess (that of `near`)
+    bool hasRotation = true;  // false if two axes or more are scaled to nothing; then the rotation is a guess
 };
 
-// `near` decides what the matrix leaves open: the rotation of axes that are scaled to nothing, and which of the two
-// quaternions of a rotation.
+// Decomposes a matrix. `near` decides what the matrix leaves open: the direction of axes that are scaled to nothing, and
+// which of the two quaternions of a rotation is taken.
 MatrixParts partsOf(const glm::dmat4& matrix, const glm::dquat& near = {1.0, 0.0, 0.0, 0.0});
 
-// What every program does between two LINEAR matrix keys: positions and stretches on a straight line, rotations the
-// short way round at constant speed.
+// The matrix between two LINEAR matrix keys, as all programs have it: position and stretch on a straight line, rotation
+// by slerp.
 MatrixParts blend(const MatrixParts& a, const MatrixParts& b, double progression);
 
 }  // namespace walkcycle

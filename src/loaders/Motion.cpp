@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "loaders/StackParts.h"
-
 namespace walkcycle {
 
 namespace {
@@ -45,11 +43,11 @@ bool overlapping(const ParameterMotion::Binding&, const ParameterMotion::Binding
     return true;
 }
 
-// Where channels move the same numbers, each takes over at its first key; of those that begin together, the last
-// one counts.
+// Where channels move the same numbers, each takes over at its first key. Of those that begin together, the last one
+// counts.
 template <typename Binding>
-void settle(std::vector<Binding>& bindings) {
-    constexpr std::size_t kMost = 1000;  // no honest file has so many rivals; the rest stays in file order
+void setTakeovers(std::vector<Binding>& bindings) {
+    constexpr std::size_t kMost = 1000;  // more than any real file has; such a file keeps its own order
     for (Binding& binding : bindings) binding.from = -std::numeric_limits<double>::infinity();
     if (bindings.size() > kMost) return;
     std::stable_sort(bindings.begin(), bindings.end(),
@@ -67,18 +65,18 @@ bool overlap(const CurveBinding& a, const CurveBinding& b) {
     return a.element == b.element && a.first < b.first + b.count && b.first < a.first + a.count;
 }
 
-void JointMotion::settleRivals() {
-    settle(bindings);
+void JointMotion::orderRivals() {
+    setTakeovers(bindings);
 }
-void ParameterMotion::settleRivals() {
-    settle(bindings);
+void ParameterMotion::orderRivals() {
+    setTakeovers(bindings);
 }
 
-// Nearly all baked files move each joint by one curve of whole matrices.
+// Fast path: nearly all baked files move each joint by one curve of whole matrices.
 std::optional<glm::dmat4> JointMotion::wholeMatrix(double seconds, Side side) const {
     if (stack.size() != 1 || bindings.size() != 1) return std::nullopt;
     const CurveBinding& b = bindings[0];
-    if (b.count != 16 || b.scale != 1.0 || !rules(b, seconds, side)) return std::nullopt;
+    if (b.count != 16 || b.scale != 1.0 || !isInForce(b, seconds, side)) return std::nullopt;
     std::optional<glm::dmat4> matrix = b.curve->blendedAt(seconds, side);
     if (matrix && outer != glm::dmat4(1.0)) *matrix = outer * *matrix;
     return matrix;
@@ -89,14 +87,14 @@ glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
     glm::dmat4 product = outer;
     std::array<double, 16> moved;
     std::array<double, 16> numbers;
-    std::size_t place = 0;  // the curves of a joint mostly have the same times
+    std::size_t hint = 0;  // the curves of a joint mostly have the same times
     for (std::size_t e = 0; e < stack.size(); ++e) {
         const double* values = stack[e].values.data();
         for (const CurveBinding& b : bindings) {
-            if (b.element != e || !rules(b, seconds, side)) continue;
+            if (b.element != e || !isInForce(b, seconds, side)) continue;
             if (values != moved.data()) moved = stack[e].values;
             values = moved.data();
-            b.curve->evaluate(seconds, side, numbers, place);
+            b.curve->evaluate(seconds, side, numbers, hint);
             for (std::size_t i = 0; i < b.count; ++i) moved[b.first + i] = b.scale * numbers[b.component + i];
         }
         product = product * matrixOf(stack[e].kind, values);
@@ -121,28 +119,40 @@ bool JointMotion::isStraight() const {
            goesStraight(*bindings[0].curve);
 }
 
-bool JointMotion::turnsStraight() const {
-    if (!StackParts::canTell(*this)) return false;
+bool JointMotion::hasPlainStack() const {
+    using Kind = TransformElement::Kind;
+    bool scaled = false;
+    for (const Element& element : stack) {
+        const bool isScale = element.kind == Kind::Scale;
+        if (!isScale && (scaled || (element.kind != Kind::Translate && element.kind != Kind::Rotate)))
+            return false;
+        scaled = isScale;
+    }
+    return outer == glm::dmat4(1.0);
+}
+
+bool JointMotion::rotatesEvenly() const {
+    if (!hasPlainStack()) return false;
     const auto isPlain = [](const CurveBinding& b) {
         const bool isEndless = b.curve->before != Infinity::Constant || b.curve->after != Infinity::Constant;
         return b.from < -1e300 && b.curve->parts.empty() && !isEndless && goesStraight(*b.curve);
     };
     if (!std::all_of(bindings.begin(), bindings.end(), isPlain)) return false;
-    bool turning = false;
+    bool isRotated = false;
     for (std::size_t e = 0; e < stack.size(); ++e) {
         const bool isRotate = stack[e].kind == TransformElement::Kind::Rotate;
         const bool isTranslate = stack[e].kind == TransformElement::Kind::Translate;
         std::size_t moves = 0;
         for (const CurveBinding& b : bindings) {
             if (b.element != e) continue;
-            if (isRotate && (b.first != 3 || turning || moves > 0)) return false;
+            if (isRotate && (b.first != 3 || isRotated || moves > 0)) return false;
             ++moves;
         }
         const auto isZero = [](double number) { return number == 0.0; };
         const auto& values = stack[e].values;
-        const bool stands = moves == 0 && std::all_of(values.begin(), values.begin() + 3, isZero);
-        if (turning && isTranslate && !stands) return false;
-        turning = turning || (isRotate && moves > 0);
+        const bool isZeroAlways = moves == 0 && std::all_of(values.begin(), values.begin() + 3, isZero);
+        if (isRotated && isTranslate && !isZeroAlways) return false;
+        isRotated = isRotated || (isRotate && moves > 0);
     }
     return true;
 }
@@ -154,14 +164,14 @@ bool JointMotion::isStraightByNumber() const {
            });
 }
 
-std::vector<double> JointMotion::degreesTurned(const std::vector<double>& knots) const {
+std::vector<double> JointMotion::degreesRotated(const std::vector<double>& knots) const {
     std::vector<double> degrees;
     for (const CurveBinding& b : bindings) {
         if (stack[b.element].kind != TransformElement::Kind::Rotate || b.first + b.count != 4) continue;
         degrees.resize(knots.size() - 1);
-        std::size_t place = 0;
+        std::size_t hint = 0;
         for (std::size_t i = 1; i < knots.size(); ++i)
-            degrees[i - 1] += b.curve->travel(knots[i - 1], knots[i], b.component + b.count - 1, place);
+            degrees[i - 1] += b.curve->travel(knots[i - 1], knots[i], b.component + b.count - 1, hint);
     }
     return degrees;
 }
@@ -170,7 +180,7 @@ double ParameterMotion::value(double seconds, Side side) const {
     double result = restValue;
     std::vector<double> numbers;
     for (const Binding& b : bindings) {
-        if (!rules(b, seconds, side)) continue;
+        if (!isInForce(b, seconds, side)) continue;
         numbers.resize(b.curve->width);
         b.curve->evaluate(seconds, side, numbers);
         result = numbers[b.component];
@@ -201,7 +211,7 @@ Motion Motion::restricted(const std::function<bool(int)>& plays) const {
     const auto keep = [&](auto& motions) {
         for (auto& motion : motions) {
             std::erase_if(motion.bindings, [&](const auto& binding) { return !plays(binding.channel); });
-            motion.settleRivals();
+            motion.orderRivals();
         }
         std::erase_if(motions, [](const auto& motion) { return motion.bindings.empty(); });
     };

@@ -16,7 +16,7 @@
 
 namespace walkcycle {
 
-// One channel at one place: numbers of a curve that replace numbers of a transform element.
+// A <channel> that is bound to a transform element: numbers of its curve replace numbers of the element.
 struct CurveBinding {
     const Curve* curve = nullptr;
     std::size_t component = 0;  // the curve's first number that is used
@@ -24,9 +24,9 @@ struct CurveBinding {
     std::size_t first = 0;      // of the element's numbers
     std::size_t count = 1;
     double scale =
-        1.0;  // of the curve's values: an <asset> on the animation may count in another unit, or backwards
+        1.0;  // of the curve's values, where an <asset> of the animation has another unit or the opposite direction
     int channel = 0;  // in document order
-    // Where several channels move the same numbers one after the other, each rules from its first key on.
+    // Where several channels move the same numbers one after the other, each is in force from its first key on.
     double from = -std::numeric_limits<double>::infinity();
 };
 
@@ -42,24 +42,27 @@ struct JointMotion {
     std::vector<CurveBinding> bindings;
 
     glm::dmat4 localTransform(double seconds, Side side = Side::Right) const;
-    // All times within [from, to] at which the motion may change its course, in order, `from` and `to` included.
+    // The times within [from, to] at which a segment of a curve begins, in order, with `from` and `to`.
     std::vector<double> knots(double from, double to, std::size_t limit) const;
-    // True if nothing moves strictly between two neighbouring knots.
+    // True if nothing moves between two neighbouring knots.
     bool holds(double from, double to) const;
-    // False if it certainly has no jumps.
+    // False if the motion certainly has no jumps.
     bool mayJump() const;
-    // True if keyframes go just as it does between its knots: a whole <matrix> with LINEAR keys, and nothing else.
+    // True if key frames at the knots reproduce the motion: a whole <matrix> with LINEAR keys, and nothing else.
     bool isStraight() const;
-    // The same for a stack of translations, rotations and scales: one angle turns, and nothing that it turns moves.
-    // (As long as no two knots are more than half a circle apart.)
-    bool turnsStraight() const;
-    // The same for matrix keyframes: every number of a <matrix> on LINEAR keys of its own.
+    // The same for matrix key frames: LINEAR curves for single numbers of a <matrix>.
     bool isStraightByNumber() const;
-    // Says which of several bindings to the same numbers rules when (see CurveBinding::from).
-    void settleRivals();
-    // No less than the degrees that the joint turns between each two neighbouring knots; empty where it does not turn by
-    // degrees.
-    std::vector<double> degreesTurned(const std::vector<double>& knots) const;
+    // The same for transform key frames and a plain stack: only one angle is animated, and all translations after it are
+    // zero. Two knots must not be more than half a circle apart.
+    bool rotatesEvenly() const;
+    // True if the stack is translations and rotations, then scales, as in nearly all files with curves for single
+    // numbers.
+    bool hasPlainStack() const;
+    // Sets CurveBinding::from of the bindings that move the same numbers.
+    void orderRivals();
+    // An upper bound of how far the joint rotates between each two neighbouring knots, in degrees. Empty if no angle is
+    // animated.
+    std::vector<double> degreesRotated(const std::vector<double>& knots) const;
 
 private:
     std::optional<glm::dmat4> wholeMatrix(double seconds, Side side) const;
@@ -81,19 +84,19 @@ struct ParameterMotion {
     std::vector<double> knots(double from, double to, std::size_t limit) const;
     bool holds(double from, double to) const;
     bool mayJump() const;
-    void settleRivals();
+    void orderRivals();
 };
 
-// Whether a binding has taken over from its rivals at a time.
+// Whether a binding has taken over from the others that move the same numbers.
 template <typename Binding>
-bool rules(const Binding& binding, double seconds, Side side) {
+bool isInForce(const Binding& binding, double seconds, Side side) {
     return side == Side::Right ? seconds >= binding.from : seconds > binding.from;
 }
 
 // Whether two channels move the same numbers of a joint's stack.
 bool overlap(const CurveBinding& a, const CurveBinding& b);
 
-// All curves of a document at work: what pose --exact prints, and what keyframes are made from.
+// Everything that a document animates, exactly: pose --exact prints it, and key frames are made from it.
 class Motion : public ExactMotion {
 public:
     Motion(std::vector<Curve> curves, const SceneGraph& scene);
@@ -101,7 +104,7 @@ public:
     void evaluate(double seconds, std::span<glm::dmat4> localTransforms,
                   std::span<double> parameters) const override;
 
-    // The same with only those channels at work that `plays` says yes to; the curves are shared.
+    // A copy that has only the channels for which `plays` returns true. It shares the curves.
     Motion restricted(const std::function<bool(int)>& plays) const;
 
     const std::vector<Curve>& curves() const { return *curves_; }

@@ -171,7 +171,7 @@ void MotionBuilder::addJoints(Motion& motion, const std::function<bool(int, int)
         motion.joints.back().bindings.back().curve = &motion.curves()[static_cast<std::size_t>(next.curve)];
     }
     for (JointMotion& joint : motion.joints) {
-        joint.settleRivals();
+        joint.orderRivals();
         reportRivals(joint, together);
     }
 }
@@ -204,7 +204,7 @@ void MotionBuilder::addParameters(Motion& motion) {
         motion.parameters.back().bindings.back().curve =
             &motion.curves()[static_cast<std::size_t>(next.curve)];
     }
-    for (ParameterMotion& parameter : motion.parameters) parameter.settleRivals();
+    for (ParameterMotion& parameter : motion.parameters) parameter.orderRivals();
 }
 
 }  // namespace walkcycle

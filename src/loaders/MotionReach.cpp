@@ -11,7 +11,7 @@ namespace walkcycle {
 
 namespace {
 
-// Of a large mesh every so many points are enough to know its size.
+// Of a large mesh, some points are enough to know its size.
 constexpr std::size_t kPointsLookedAt = 8'000;
 
 std::size_t strideOf(std::size_t count) {
@@ -36,7 +36,7 @@ void chain(const std::vector<Joint>& joints, std::vector<glm::dmat4>& locals) {
 
 }  // namespace
 
-// Two opposite corners at a time: the middle plus and minus the same half diagonal.
+// Takes two opposite corners at a time: the centre plus and minus the same half diagonal.
 double MotionReach::Box::farthestSquared(const glm::dmat4& matrix) const {
     const glm::dvec3 middle = 0.5 * (min + max), half = 0.5 * (max - min);
     const glm::dmat3 linear(matrix);
@@ -97,7 +97,7 @@ void MotionReach::addSkinned(const Model& model, const MeshInstance& instance, c
     }
 }
 
-// Children come after their parents, so from the back each joint's box is complete before its parent's takes it in.
+// Children come after their parents. From the back, each joint's box is complete before its parent's box takes it in.
 void MotionReach::measureJoints(const Model& model) {
     const std::vector<Joint>& joints = model.skeleton.joints;
     std::vector<Box> hanging(joints.size());
@@ -108,7 +108,7 @@ void MotionReach::measureJoints(const Model& model) {
         hanging[i].add(origin);
         for (int c = 0; c < 8 && !boxes_[i].empty(); ++c)
             hanging[i].add(transformed(worlds_[i], boxes_[i].corner(c)));
-        double reach = 0.1 * modelSize_;  // the directions of a joint count even where nothing hangs on it
+        double reach = 0.1 * modelSize_;  // an error of rotation counts even if the joint moves no point
         for (int c = 0; c < 8; ++c) reach = std::max(reach, glm::length(hanging[i].corner(c) - origin));
         const double own = largestAxis(worlds_[i]);
         reaches_[i] = own > 1e-12 * modelSize_ ? reach / own : 1.0;
@@ -135,13 +135,16 @@ void MotionReach::countMoving(const Model& model, const Motion& motion) {
     for (std::size_t i = 0; i < joints.size(); ++i) moving_.push_back(std::max(1, above[i] + below[i]));
 }
 
-// Errors along a chain add up like steps of a random walk, rarely like steps in one direction; measure() tells.
+// Errors along a chain rarely have one direction. Like the steps of a random walk, they add up to the square root of their
+// number. measure() shows how far that is true.
 Tolerance MotionReach::tolerance(int joint, double share) const {
     const auto i = static_cast<std::size_t>(joint);
-    return {share * modelSize_ / std::sqrt(static_cast<double>(moving_[i])), units_[i], reaches_[i]};
+    const double chain = std::sqrt(static_cast<double>(moving_[i]));
+    return {std::max(share, finestShare()) * modelSize_ / chain, units_[i], reaches_[i]};
 }
 
 Tolerance MotionReach::tolerance(const Parameter& parameter, const Model& model, double share) const {
+    share = std::max(share, finestShare());
     if (parameter.kind != ParameterKind::MorphWeight)
         return {share * std::max(1.0, std::abs(static_cast<double>(parameter.restValue))), 1.0, 0.0};
     const MorphTargets& morph = model.morphs[static_cast<std::size_t>(parameter.object)];

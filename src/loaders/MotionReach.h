@@ -8,21 +8,23 @@
 
 namespace walkcycle {
 
-// Where motion shows: how large the model is, and how far from each joint the points hang that it moves. Taken from
-// the model's geometry as it stands at one time; in the document's own units.
+// How much an error of a joint shows: the size of the model, and the distance from each joint to the farthest point that
+// it moves. Both are taken from the geometry as posed at one time, in the document's own units.
 class MotionReach {
 public:
     MotionReach(const Model& model, const Motion& motion, double seconds);
 
-    double modelSize() const { return modelSize_; }  // diagonal of the box around the model
+    double modelSize() const { return modelSize_; }  // diagonal of the model's bounding box
 
-    // How far off a joint may be, so that the errors of all joints on the way to a vertex stay within `share` of the
-    // model's size together.
+    // How far off a joint may be, if all joints on the way to a vertex together may be off by `share` of the model's size.
     Tolerance tolerance(int joint, double share) const;
     Tolerance tolerance(const Parameter& parameter, const Model& model, double share) const;
 
-    // The largest distance between exact and keyed points, as a share of the model's size, seen at some moments
-    // between the clip's start and end that have nothing to do with the keys.
+    // Smaller shares count as this one, since the numbers of a key are floats.
+    static constexpr double finestShare() { return 6e-8; }
+
+    // The largest distance between exact and keyed points as a share of the model's size, at some times between the clip's
+    // start and end. The times do not depend on the keys.
     double measure(const Model& model, const Motion& motion, const Animation& animation) const;
 
 private:
@@ -33,7 +35,7 @@ private:
         glm::dvec3 corner(int i) const {
             return {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
         }
-        // How far a matrix takes any of its corners from the origin.
+        // The largest squared distance from the origin to a corner after the matrix.
         double farthestSquared(const glm::dmat4& matrix) const;
     };
     void addInstance(const Model& model, const MeshInstance& instance, Box& modelBox);
@@ -43,10 +45,11 @@ private:
     void countMoving(const Model& model, const Motion& motion);
 
     std::vector<glm::dmat4> worlds_;
-    std::vector<Box> boxes_;       // per joint, in its own space: the points that it moves itself
-    std::vector<double> units_;    // per joint: model length of one unit of its parent
-    std::vector<double> reaches_;  // per joint: in its own units
-    std::vector<int> moving_;      // per joint: how many joints move on the longest way through it
+    std::vector<Box>
+        boxes_;  // per joint, in its own space: around the points that it moves itself, without its children
+    std::vector<double> units_;    // per joint: length in model space of one unit of its parent
+    std::vector<double> reaches_;  // per joint: see Tolerance::reach
+    std::vector<int> moving_;  // per joint: the most moving joints on a path from a root through it to a leaf
     double modelSize_ = 1.0;
 };
 

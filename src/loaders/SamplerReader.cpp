@@ -57,7 +57,7 @@ XmlNode ownSource(XmlNode input) {
     return source.is("source") ? source : XmlNode();
 }
 
-// Channels find it by its id, so it has one.
+// A sampler has an id, since channels find it by that.
 std::string samplerName(XmlNode sampler) {
     return std::string(sampler.id());
 }
@@ -136,7 +136,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
         const std::string_view semantic = i.attribute("semantic");
         if (semantic == "INPUT") input = context_.documents.follow(i, "source", "source"), named[0] = true;
         if (semantic == "OUTPUT") output = context_.documents.follow(i, "source", "source"), named[1] = true;
-        // The rest has a substitute, so that a dangling reference is no error here.
+        // There is a substitute for the others, so a dangling reference is no error here.
         if (semantic == "INTERPOLATION") interpolation = ownSource(i);
         if (semantic == "IN_TANGENT") inTangent = ownSource(i);
         if (semantic == "OUT_TANGENT") outTangent = ownSource(i);
@@ -170,7 +170,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
     keys.values.resize(count * keys.width);
     readInterpolations(sampler, interpolation, keys);
     readTangents(sampler, inTangent, outTangent, keys);
-    mendTimes(sampler, *times, keys);
+    fixTimes(sampler, *times, keys);
     return true;
 }
 
@@ -218,9 +218,9 @@ void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outS
     std::replace_if(kinds.begin(), kinds.end(), needsTangents, Interpolation::Linear);
 }
 
-// Times must rise; two keys at one time are a jump. Others are put in order; where that brings together keys that did
-// not stand together, the first of them counts.
-void SamplerReader::mendTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
+// Times must rise; two keys at one time are a jump. If they do not rise, the keys are sorted. Of keys with the same time
+// that were not neighbours in the file, the first one counts.
+void SamplerReader::fixTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
     const std::size_t count = keys.times.size();
     bool sorted = true, crowded = false;
     std::size_t firstOdd = 0;

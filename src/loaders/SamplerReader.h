@@ -9,12 +9,12 @@
 
 namespace walkcycle {
 
-// Reads <sampler> elements, each once, wherever they and their sources stand.
+// Reads <sampler> elements, each once, in whichever document they and their sources are.
 class SamplerReader {
 public:
     explicit SamplerReader(const LoadContext& context) : context_(context) {}
 
-    // Index into curves(), or -1 where the sampler has nothing to play (reported).
+    // Returns an index into curves(), or -1 (and reports why) if the sampler has nothing to play.
     int read(XmlNode sampler);
 
     std::vector<Curve>& curves() { return curves_; }
@@ -24,7 +24,7 @@ private:
     void readInfinity(XmlNode sampler, Curve& curve);
     void readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys);
     void readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys);
-    void mendTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys);
+    void fixTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys);
 
     const LoadContext& context_;
     std::unordered_map<XmlNode, int> read_;

@@ -18,17 +18,6 @@ glm::dquat rotationOf(const std::array<double, 4>& values) {
 
 }  // namespace
 
-bool StackParts::canTell(const JointMotion& motion) {
-    bool scaled = false;
-    for (const JointMotion::Element& element : motion.stack) {
-        const bool isScale = element.kind == Kind::Scale;
-        if (!isScale && (scaled || (element.kind != Kind::Translate && element.kind != Kind::Rotate)))
-            return false;
-        scaled = isScale;
-    }
-    return motion.outer == glm::dmat4(1.0);
-}
-
 StackParts::StackParts(const JointMotion& motion) {
     for (std::size_t e = 0; e < motion.stack.size(); ++e) {
         Step step{motion.stack[e].kind, {}, {}, moved_.size(), 0};
@@ -45,8 +34,8 @@ void StackParts::move(const Step& step, double seconds, Side side, std::array<do
     std::array<double, 16> numbers;
     for (std::size_t i = step.binding; i < step.binding + step.bindings; ++i) {
         const CurveBinding& b = moved_[i].binding;
-        if (!rules(b, seconds, side)) continue;
-        b.curve->evaluate(seconds, side, numbers, moved_[i].place);
+        if (!isInForce(b, seconds, side)) continue;
+        b.curve->evaluate(seconds, side, numbers, moved_[i].hint);
         for (std::size_t n = 0; n < b.count; ++n) values[b.first + n] = b.scale * numbers[b.component + n];
     }
 }
@@ -54,19 +43,19 @@ void StackParts::move(const Step& step, double seconds, Side side, std::array<do
 bool StackParts::at(double seconds, Side side, MatrixParts& parts) {
     parts = {};
     glm::dvec3 scale(1.0);
-    bool turned = false;
+    bool isRotated = false;
     for (const Step& step : steps_) {
         std::array<double, 4> values = step.values;
         if (step.bindings > 0) move(step, seconds, side, values);
         const glm::dvec3 vector(values[0], values[1], values[2]);
         if (step.kind == Kind::Translate) {
-            parts.position += turned ? parts.rotation * vector : vector;
+            parts.position += isRotated ? parts.rotation * vector : vector;
         } else if (step.kind == Kind::Scale) {
             scale *= vector;
         } else {
             const glm::dquat rotation = step.bindings > 0 ? rotationOf(values) : step.rotation;
-            parts.rotation = turned ? parts.rotation * rotation : rotation;
-            turned = true;
+            parts.rotation = isRotated ? parts.rotation * rotation : rotation;
+            isRotated = true;
         }
     }
     for (int i = 0; i < 3; ++i) parts.stretch[i][i] = scale[i];

@@ -5,31 +5,29 @@
 
 namespace walkcycle {
 
-// The parts of a moving joint's stack, without a matrix on the way: for stacks of translations and rotations with
-// nothing behind them but scales, which are nearly all that have curves for single numbers.
+// Position, rotation and scale of a moving joint, from its plain transform stack. Faster than to decompose its matrix.
 class StackParts {
 public:
-    static bool canTell(const JointMotion& motion);
-    explicit StackParts(const JointMotion& motion);  // one of those
+    explicit StackParts(const JointMotion& motion);  // of which JointMotion::hasPlainStack() is true
 
-    // False where a scale is not above zero: only the matrix tells what is mirrored or flat.
+    // Returns false if a scale is not positive: what is mirrored or flat, only the matrix tells.
     bool at(double seconds, Side side, MatrixParts& parts);
 
 private:
     struct Step {
         TransformElement::Kind kind;
         std::array<double, 4> values;
-        glm::dquat rotation;            // of one that does not move
-        std::size_t binding, bindings;  // the first of those that move it, and how many there are
+        glm::dquat rotation;            // of a <rotate> that no curve moves
+        std::size_t binding, bindings;  // the first of the bindings that move it, and their number
     };
     struct Moved {
         CurveBinding binding;
-        std::size_t place = 0;  // the curve's segment that was asked for last
+        std::size_t hint = 0;  // of Curve::evaluate()
     };
     void move(const Step& step, double seconds, Side side, std::array<double, 4>& values);
 
     std::vector<Step> steps_;
-    std::vector<Moved> moved_;  // those of each step together, in their order
+    std::vector<Moved> moved_;  // step by step
 };
 
 }  // namespace walkcycle

@@ -22,7 +22,7 @@ struct KindInfo {
     const char* elementName;
     Kind kind;
     int valueCount;
-    std::array<double, 16> neutral;  // stands in for numbers that are missing
+    std::array<double, 16> neutral;  // replaces missing numbers
 };
 
 constexpr KindInfo kKinds[] = {
@@ -42,7 +42,7 @@ bool isZero(const glm::dvec3& v) {
     return !(glm::dot(v, v) > 0.0);
 }
 
-// Scaled by its largest component first, so that no length of a file under- or overflows.
+// Divides by the largest component first, so that very long and very short vectors neither overflow nor underflow.
 glm::dvec3 unit(const glm::dvec3& v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0.0 ? glm::normalize(v / largest) : glm::dvec3(0.0);
@@ -61,8 +61,8 @@ glm::dmat4 rotation(const double* v) {
     return isZero(axis) ? glm::dmat4(1.0) : glm::rotate(glm::dmat4(1.0), glm::radians(v[3]), axis);
 }
 
-// The inverse of the view matrix: the node stands at the eye, its -Z looks at the point of interest. Where
-// the up direction says nothing (zero, or along the view), another one is taken.
+// The inverse of the view matrix: the node is at the eye, and its -Z axis points at the point of interest. If the up
+// direction is zero or parallel to the view, another one is taken.
 glm::dmat4 lookAt(const double* v) {
     const glm::dvec3 eye = vec3Of(v);
     glm::dvec3 back = unit(eye - vec3Of(v + 3));
@@ -78,21 +78,20 @@ glm::dmat4 lookAt(const double* v) {
     return {glm::dvec4(right, 0.0), glm::dvec4(up, 0.0), glm::dvec4(back, 0.0), glm::dvec4(eye, 1.0)};
 }
 
-// RenderMan's Skew, as COLLADA names it for <skew>: angle, the axis that is turned, the axis along which
-// points move. The turned axis ends `angle` degrees nearer to the moving direction; a point moves by its
-// distance across.
+// COLLADA's <skew> is RenderMan's Skew: an angle, the axis to rotate, and the axis along which points move. The first axis
+// is rotated towards the second by the angle. A point moves in proportion to its distance from the second axis.
 glm::dmat4 skew(const double* v) {
-    const glm::dvec3 turned = unit(vec3Of(v + 1));
+    const glm::dvec3 rotated = unit(vec3Of(v + 1));
     const glm::dvec3 along = unit(vec3Of(v + 4));
-    const double inAlong = glm::dot(turned, along);
-    const glm::dvec3 across = turned - along * inAlong;
+    const double inAlong = glm::dot(rotated, along);
+    const glm::dvec3 across = rotated - along * inAlong;
     const double inAcross = glm::length(across);
-    if (isZero(turned) || isZero(along) || inAcross < 1e-9) return glm::dmat4(1.0);
+    if (isZero(rotated) || isZero(along) || inAcross < 1e-9) return glm::dmat4(1.0);
     const double cosine = std::cos(glm::radians(v[0])), sine = std::sin(glm::radians(v[0]));
     const double newAcross = inAcross * cosine - inAlong * sine;
     const double newAlong = inAcross * sine + inAlong * cosine;
     if (newAcross < 1e-9)
-        return glm::dmat4(1.0);  // turned onto the moving direction or past it: there is no such skew
+        return glm::dmat4(1.0);  // rotated onto the second axis or past it: no skew does that
     const glm::dvec3 shift = along * (newAlong / newAcross - inAlong / inAcross);
     const glm::dvec3 a = across / inAcross;
     return {glm::dvec4(glm::dvec3(1, 0, 0) + shift * a.x, 0.0),
@@ -106,7 +105,7 @@ const KindInfo* kindOf(std::string_view elementName) {
     return found == std::end(kKinds) ? nullptr : found;
 }
 
-// Directions that must not be zero for the element to mean anything.
+// Whether a direction without which the element means nothing is zero.
 bool isDegenerate(const TransformElement& e) {
     const double* v = e.values.data();
     switch (e.kind) {
@@ -116,9 +115,12 @@ bool isDegenerate(const TransformElement& e) {
             return isZero(glm::cross(vec3Of(v) - vec3Of(v + 3), vec3Of(v + 6)));
         case Kind::Skew:
             return v[0] != 0.0 && skew(v) == glm::dmat4(1.0);
-        default:
-            return false;
+        case Kind::Matrix:
+        case Kind::Translate:
+        case Kind::Scale:
+            break;
     }
+    return false;
 }
 
 TransformElement readElement(XmlNode node, const KindInfo& kind, Diagnostics& diagnostics) {

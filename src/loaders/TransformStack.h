@@ -33,13 +33,13 @@ struct TransformStack {
     glm::dmat4 toMatrix() const;
 };
 
-// Reads them all. Missing numbers are those of an element that does nothing, and reported.
+// Reads a node's transform elements. Missing numbers are reported, and replaced by those of an element that does nothing.
 TransformStack readTransformStack(XmlNode node, Diagnostics& diagnostics);
 
-// The direction of a <rotate>'s axis: of unit length, or zero where it has none.
+// The axis of a <rotate> as a unit vector, or zero if it has no length.
 glm::dvec3 unitAxis(const double* values);
 
-// The matrix of each kind. All are affine: their last row is 0 0 0 1.
+// The matrix of an element. It is affine: its last row is 0 0 0 1.
 glm::dmat4 matrixOf(TransformElement::Kind kind, const double* values);
 
 }  // namespace walkcycle

@@ -32,6 +32,15 @@ TEST(ExactChannelTest, aStepHoldsUntilTheNextKeyAndAtTheEnd) {
     EXPECT_EQ(ExactChannel(channel).jumps(), std::vector<double>{2.0});  // none after the last key
 }
 
+TEST(ExactChannelTest, aStepUpToTheLastKeyJumpsThere) {
+    const Channel channel{.keyFrames = {keyAt(0.0, 1.0f), keyAt(1.0, 2.0f, true), keyAt(2.0, 5.0f)}};
+    EXPECT_EQ(ExactChannel(channel).jumps(), std::vector<double>{2.0});
+    EXPECT_EQ(xAt(channel, 0.5), 1.5);
+    EXPECT_EQ(xAt(channel, 1.5), 2.0);
+    EXPECT_EQ(xAt(channel, 2.0, Side::Left), 2.0);
+    EXPECT_EQ(xAt(channel, 2.0), 5.0);
+}
+
 TEST(ExactChannelTest, twoKeysAtOneTimeAreAJump) {
     const Channel channel{
         .keyFrames = {keyAt(1.0, 0.0f), keyAt(2.0, 1.0f), keyAt(2.0, 7.0f), keyAt(3.0, 8.0f)}};

@@ -25,10 +25,13 @@ TEST(TimelineBuilderTest, likeTimesShareATimeline) {
     EXPECT_EQ(timelines[0].groups.size(), 1u);
 }
 
-// Only the later channel of a joint is laid out: the other one's times are not in the table.
+// Only the later channel of a joint is laid out, whichever of the two has more keys: the other one's times are not in
+// the table.
 TEST(TimelineBuilderTest, ofTwoChannelsForOneJointTheLaterCounts) {
+    EXPECT_EQ(timelinesOf({moving(0, {0.0, 1.0}), moving(0, {0.0, 0.5, 1.0})}, {0})[0].groups.size(), 1u);
     const auto timelines = timelinesOf({moving(0, {0.0, 0.5, 1.0}), moving(0, {0.0, 1.0}, 3.0f)}, {0});
     ASSERT_EQ(timelines.size(), 1u);
+    EXPECT_EQ(timelines[0].groups.size(), 1u);
     EXPECT_EQ(timelines[0].times, (std::vector<double>{0.0, 1.0}));
     std::vector<Rows> locals(1);
     timelines[0].sample(1.0, locals);

@@ -1,6 +1,9 @@
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "loaders/AnimationText.h"
+#include "loaders/CurveBuilder.h"
 #include "loaders/KeyFrameFitter.h"
 
 namespace walkcycle {
@@ -45,6 +48,118 @@ TEST(KeyFrameFitterTest, aFullTurnInTwoKeysTurnsAllTheWay) {
         const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 2", angles}.text());
         EXPECT_LT(largestError(model), kAllowed) << angles;
     }
+}
+
+// Two keys a third of a circle apart, and none twice.
+TEST(KeyFrameFitterTest, aFullTurnTakesAKeyForEachThirdOfIt) {
+    const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 3", "0 360"}.text());
+    const std::vector<KeyFrame>& keys = model.animations.at(0).channels.at(0).keyFrames;
+    ASSERT_THAT(keys, SizeIs(4));
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(keys[static_cast<std::size_t>(i)].seconds, i, 1e-9);
+}
+
+TEST(KeyFrameFitterTest, neighbouringRotationsAreOnOneSideOfTheSphere) {
+    const std::string stack = std::string(kTurn) + "<rotate sid='y'>0 1 0 0</rotate>";
+    const Model model = boxMoved(
+        stack,
+        AnimationText{.target = "box/r.ANGLE", .times = "0 2", .values = "0 1200", .id = "r"}.text() +
+            AnimationText{.target = "box/y.ANGLE", .times = "0 2", .values = "0 -900", .id = "y"}.text());
+    const std::vector<KeyFrame>& keys = model.animations.at(0).channels.at(0).keyFrames;
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        EXPECT_GE(glm::dot(keys[i - 1].transform.rotation, keys[i].transform.rotation), 0.0f) << i;
+}
+
+// A curve of a box: rises a little in the first second, and by much in the second one.
+JointMotion risingMotion(const Curve& curve) {
+    JointMotion motion;
+    motion.stack.push_back({TransformElement::Kind::Translate, {}});
+    motion.bindings.push_back({.curve = &curve, .count = 1});
+    return motion;
+}
+
+Curve risingCurve(double first, double second) {
+    return makeCurve({.width = 1,
+                      .times = {0, 1, 2},
+                      .values = {0, first, first + second},
+                      .interpolations = std::vector<Interpolation>(3, Interpolation::Bezier),
+                      .tangentWidth = 2,
+                      .inTangents = {0, 0, 0.05, first, 1.05, first + second},
+                      .outTangents = {0.95, 0, 1.95, first, 0, 0}});
+}
+
+double largestError(const JointMotion& motion, const Channel& channel, double from, double to) {
+    double most = 0.0;
+    for (int i = 0; i <= 1000; ++i) {
+        const double t = from + (to - from) * i / 1000.0;
+        most = std::max(most, std::abs(motion.localTransform(t)[3].x - sample(channel, t).position.x));
+    }
+    return most;
+}
+
+// Depth first, the first second took all keys.
+TEST(KeyFrameFitterTest, ifKeysRunOutTheyHaveGoneWhereTheyHelpMost) {
+    const Tolerance fine{.budget = 1e-9};
+    for (const auto& [first, second] : {std::pair(0.01, 10.0), std::pair(10.0, 0.01)}) {
+        const Curve curve = risingCurve(first, second);
+        const JointMotion motion = risingMotion(curve);
+        const auto errorOf = [&](std::size_t most) {
+            const Channel channel = fitChannel(motion, {0, 1, 2}, fine, {.most = most});
+            EXPECT_LE(channel.keyFrames.size(), most);
+            return largestError(motion, channel, 0.0, 2.0);
+        };
+        double before = 1e300;
+        for (const std::size_t most : {3u, 6u, 12u, 24u, 48u, 96u}) {
+            const double error = errorOf(most);
+            EXPECT_LE(error, before) << most;
+            before = error;
+        }
+        EXPECT_LT(errorOf(24), 0.02);
+        EXPECT_LT(errorOf(96), 1e-4);
+    }
+}
+
+// With few keys the tolerance says nothing any more: the search splits the same pieces in the same order.
+TEST(KeyFrameFitterTest, ifKeysRunOutASmallerToleranceGivesTheSameKeys) {
+    const Curve curve = risingCurve(1.0, 10.0);
+    const JointMotion motion = risingMotion(curve);
+    const Channel fine = fitChannel(motion, {0, 1, 2}, {.budget = 1e-7}, {.most = 40});
+    const Channel finer = fitChannel(motion, {0, 1, 2}, {.budget = 1e-9}, {.most = 40});
+    ASSERT_EQ(fine.keyFrames.size(), finer.keyFrames.size());
+    for (std::size_t i = 0; i < fine.keyFrames.size(); ++i)
+        EXPECT_EQ(fine.keyFrames[i].seconds, finer.keyFrames[i].seconds);
+}
+
+TEST(KeyFrameFitterTest, keysStandInTheOrderOfTime) {
+    const Curve curve = risingCurve(5.0, 10.0);
+    const Channel channel = fitChannel(risingMotion(curve), {0, 1, 2}, {.budget = 1e-6});
+    ASSERT_GT(channel.keyFrames.size(), 20u);
+    for (std::size_t i = 1; i < channel.keyFrames.size(); ++i)
+        EXPECT_LT(channel.keyFrames[i - 1].seconds, channel.keyFrames[i].seconds);
+    EXPECT_LT(largestError(risingMotion(curve), channel, 0.0, 2.0), 2e-6);
+}
+
+// Matrices that keep a little shear need many keys for a rotation, and transforms without it are nearer than few matrices.
+TEST(KeyFrameFitterTest, ofTooFewMatricesAndTransformsWithoutShearTheNearerOnesAreTaken) {
+    const auto rotated = [](double degrees, double shear) {
+        const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+        return std::vector<double>{c, -s + c * shear, 0, 0, s, c + s * shear, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    };
+    CurveKeys keys{.width = 16,
+                   .times = {0, 1},
+                   .values = rotated(0, 1e-6),
+                   .interpolations = std::vector<Interpolation>(2, Interpolation::Linear),
+                   .inTangents = {},
+                   .outTangents = {}};
+    for (const double number : rotated(170, 1e-6)) keys.values.push_back(number);
+    const Curve curve = makeCurve(keys);
+    JointMotion motion;
+    motion.stack.push_back({TransformElement::Kind::Matrix, {}});
+    motion.bindings.push_back({.curve = &curve, .count = 16});
+    const Channel few = fitChannel(motion, {0, 1}, {.budget = 1e-7}, {.most = 40});
+    EXPECT_THAT(few.keyFrames, SizeIs(2));
+    const Channel many = fitChannel(motion, {0, 1}, {.budget = 1e-7});
+    EXPECT_THAT(many.keyFrames, IsEmpty());
+    EXPECT_GT(many.matrixKeyFrames.size(), 1000u);
 }
 
 TEST(KeyFrameFitterTest, mixedEulerAnglesStayWithinTheTolerance) {

@@ -41,10 +41,10 @@ TEST(MatrixPartsTest, aMirrorIsANegativeFirstScale) {
 TEST(MatrixPartsTest, whatIsFlattenedTakesTheRotationItIsGiven) {
     const glm::dquat near = glm::angleAxis(1.0, glm::dvec3(0, 0, 1));
     const MatrixParts parts = partsOf(glm::dmat4(0.0), near);
-    EXPECT_FALSE(parts.turns);
+    EXPECT_FALSE(parts.hasRotation);
     EXPECT_NEAR(std::abs(glm::dot(parts.rotation, near)), 1.0, 1e-12);
     // One lost axis leaves no doubt.
-    EXPECT_TRUE(partsOf(glm::scale(turned(50), glm::dvec3(1, 1, 0))).turns);
+    EXPECT_TRUE(partsOf(glm::scale(turned(50), glm::dvec3(1, 1, 0))).hasRotation);
 }
 
 TEST(MatrixPartsTest, blendsTurnTheShortWay) {
@@ -63,7 +63,7 @@ TEST(MatrixPartsTest, anyAxesMayBeLost) {
         const MatrixParts parts = partsOf(matrix, near);
         EXPECT_LT(apart(parts.toMatrix(), matrix), 1e-12) << scale.x << scale.y << scale.z;
         const bool oneLost = scale.x + scale.y + scale.z == 2.0 && scale.x < 2 && scale.y < 2 && scale.z < 2;
-        EXPECT_EQ(parts.turns, oneLost);
+        EXPECT_EQ(parts.hasRotation, oneLost);
         if (oneLost) {
             EXPECT_LT(apart(glm::dmat4(glm::mat3_cast(parts.rotation)), turn), 1e-12);
         }
@@ -79,7 +79,7 @@ TEST(MatrixPartsTest, theOneAxisThatIsLeftMayLieAlongAnyOther) {
             matrix[3].w = 1.0;
             matrix[column] = glm::dvec4(3.0 * along, 0.0);
             const MatrixParts parts = partsOf(matrix);
-            EXPECT_FALSE(parts.turns);
+            EXPECT_FALSE(parts.hasRotation);
             EXPECT_LT(apart(parts.toMatrix(), matrix), 1e-12);
             EXPECT_NEAR(glm::length(parts.rotation), 1.0, 1e-12);
         }

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "loaders/AnimationText.h"
@@ -45,6 +47,31 @@ TEST(MotionTest, channelsOfDifferentNumbersAreNoRivalsInAnyOrder) {
     const Model model = boxMoved(kMove, y.text() + x.text());
     EXPECT_THAT(codes(model.diagnostics), IsEmpty());
     EXPECT_NEAR(glm::distance(glm::dvec3(exactLocal(model, 1.0)[3]), glm::dvec3(2, 4, 0)), 0.0, 1e-9);
+}
+
+// Rivals need not stand side by side, neither in the file nor in the order of their first keys.
+TEST(MotionTest, aChannelTakesOverFromItsRivalWhateverStandsBetweenThem) {
+    const AnimationText x{.target = "box/t.X", .times = "0 1", .values = "0 1", .id = "x"};
+    const AnimationText y{.target = "box/t.Y", .times = "0.5 1", .values = "0 2", .id = "y"};
+    const AnimationText laterX{.target = "box/t.X", .times = "2 3", .values = "5 6", .id = "x2"};
+    const AnimationText laterY{.target = "box/t.Y", .times = "3 4", .values = "7 8", .id = "y2"};
+    const Model model = boxMoved(kMove, x.text() + y.text() + laterX.text() + laterY.text());
+    EXPECT_NEAR(exactLocal(model, 1.9)[3].x, 1.0, 1e-9);
+    EXPECT_NEAR(exactLocal(model, 2.5)[3].x, 5.5, 1e-9);
+    EXPECT_NEAR(exactLocal(model, 2.9)[3].y, 2.0, 1e-9);
+    EXPECT_NEAR(exactLocal(model, 3.5)[3].y, 7.5, 1e-9);
+}
+
+TEST(MotionTest, ofThreeRivalsEachCountsFromItsFirstKeyOn) {
+    std::string body;
+    for (const std::string n : {"0", "1", "2"})
+        body +=
+            AnimationText{
+                .target = "box/t.X", .times = n + " " + n + ".5", .values = n + " " + n, .id = "x" + n}
+                .text();
+    const Model model = boxMoved(kMove, body);
+    for (const double seconds : {0.7, 1.7, 2.2})
+        EXPECT_NEAR(exactLocal(model, seconds)[3].x, std::floor(seconds), 1e-9) << seconds;
 }
 
 TEST(MotionTest, ofMoreRivalsThanAnyHonestFileHasTheLastCounts) {

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 #include <gmock/gmock.h>
 
@@ -61,6 +62,16 @@ TEST(TransformStackTest, lookatStandsAtTheEyeAndLooksAlongMinusZ) {
     expectNear(s.moves({0, 0, 0}), {10, 2, 0});
     expectNear(s.moves({0, 0, -1}), {9, 2, 0});
     expectNear(s.moves({0, 1, 0}), {10, 3, 0});
+}
+
+TEST(TransformStackTest, theMatrixOfEachElementIsAffine) {
+    for (const char* text :
+         {"<lookat>10 2 3  0 2 0  0 1 0</lookat>", "<skew>45  0 2 0  3 0 0</skew>",
+          "<rotate>1 2 3 40</rotate>", "<translate>1 2 3</translate>", "<scale>2 3 4</scale>",
+          "<matrix>1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16</matrix>"}) {
+        const Stack s(text);
+        EXPECT_EQ(glm::row(s.matrix, 3), glm::dvec4(0, 0, 0, 1)) << text;
+    }
 }
 
 TEST(TransformStackTest, aDegenerateLookatChoosesAnotherUp) {

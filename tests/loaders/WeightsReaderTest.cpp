@@ -113,6 +113,15 @@ TEST(WeightsReaderTest, indicesOutsideTheirSourceAreErrorsInTheLineOfV) {
                                             says("WC0403", weights.line("<vcount"), kPath + "/vcount")));
 }
 
+// Four influences, of which the third position wants three: two are left.
+TEST(WeightsReaderTest, aCountIsHeldAgainstWhatThePositionsBeforeItLeft) {
+    const Weights weights(skinOf("1 1 3", "0 0  1 0  0 0  1 0"));
+    EXPECT_THAT(weights.all(), ElementsAre("0:100", "1:100", "2:100"));
+    ASSERT_THAT(codes(weights.said()), ElementsAre("WC0205", "WC0410"));
+    EXPECT_EQ(weights.said()[0].elementPath, kPath + "/vcount");
+    EXPECT_THAT(weights.said()[0].message, testing::HasSubstr("at least 5"));
+}
+
 TEST(WeightsReaderTest, aSecondWeightInputIsNotUsed) {
     SkinText skin = skinOf("1 1 1", "0 0 9  0 0 9  1 0 9");
     skin.weightInputs = "<input semantic=\"WEIGHT\" source=\"#weights\" offset=\"2\"/>\n";

@@ -1,0 +1,196 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "loaders/AnimationText.h"
+
+namespace walkcycle {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+const std::string kMove = "<translate sid='t'>0 0 0</translate>";
+const std::string kRotate = "<rotate sid='r'>0 0 1 0</rotate>";
+
+LoadOptions within(double tolerance) {
+    LoadOptions options;
+    options.tolerance = tolerance;
+    options.loadImages = false;
+    return options;
+}
+
+// Loads with ever smaller tolerances. `load(options)` gives the model.
+template <typename Load>
+void expectErrorNeverRises(const std::vector<double>& tolerances, const Load& load) {
+    std::vector<float> before;
+    for (const double tolerance : tolerances) {
+        SCOPED_TRACE(tolerance);
+        const Model model = load(within(tolerance));
+        float most = 0.0f;
+        for (std::size_t i = 0; i < model.animations.size(); ++i) {
+            const float error = model.animations[i].achievedError;
+            most = std::max(most, error);
+            if (i < before.size()) {
+                EXPECT_LE(error, before[i]) << model.animations[i].name;
+                before[i] = error;
+            } else {
+                before.push_back(error);
+            }
+        }
+        if (most > tolerance) {
+            EXPECT_THAT(codes(model.diagnostics), Contains("WC0513"));
+        } else {
+            EXPECT_THAT(codes(model.diagnostics), Not(Contains("WC0513")));
+        }
+    }
+}
+
+const std::vector<double> kDecades{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+
+TEST(ClipFitterTest, aSmallerToleranceNeverGivesALargerErrorWhateverTheFile) {
+    std::vector<std::filesystem::path> files;
+    for (const char* folder : {WALKCYCLE_FIXTURES, WALKCYCLE_SOURCE_DIR "/res"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.path().extension() == ".dae") files.push_back(entry.path());
+    EXPECT_GE(files.size(), 9u);
+    for (const std::filesystem::path& file : files) {
+        SCOPED_TRACE(file.string());
+        expectErrorNeverRises(
+            kDecades, [&](const LoadOptions& options) { return loadCollada(file.string(), options); });
+    }
+}
+
+// A curve that is no cubic, two rotations at once, shear as exporters round it in, and a joint too fast for any keys.
+TEST(ClipFitterTest, aSmallerToleranceNeverGivesALargerErrorWhateverMoves) {
+    AnimationText swing{.target = "box/r.ANGLE",
+                        .times = "0 1 1.2 3",
+                        .values = "0 80 -60 5",
+                        .interpolations = "CARDINAL",
+                        .id = "swing"};
+    AnimationText tilt{.target = "box/y.ANGLE", .times = "0 3", .values = "0 500", .id = "tilt"};
+    AnimationText fast{.target = "box/r.ANGLE", .times = "0 1", .values = "0 36000000"};
+    AnimationText sheared{.target = "box/m",
+                          .times = "0 1 2",
+                          .values =
+                              "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1  0.000003 -1 0 2 1 0 0 0 0 0 1 0 0 0 0 1 "
+                              "-1 0 0 4 0.00001 -1 0 0 0 0 1 0 0 0 0 1",
+                          .params = "M"};
+    const std::string stack = kRotate + "<rotate sid='y'>0 1 0 0</rotate>";
+    for (const std::string& text :
+         {boxWith(stack, animations(swing.text())), boxWith(stack, animations(swing.text() + tilt.text())),
+          boxWith(stack, animations(fast.text() + tilt.text())),
+          boxWith("<matrix sid='m'>" + kIdentity + "</matrix>", animations(sheared.text()))}) {
+        SCOPED_TRACE(text);
+        expectErrorNeverRises({0.3, 1e-2, 5e-3, 2e-3, 1e-3, 2e-4, 1e-4, 7e-5, 3e-5, 1e-5, 1e-6, 1e-7, 1e-9},
+                              [&](const LoadOptions& options) { return loadText(text, options); });
+    }
+}
+
+// Of a joint that rotates about two axes at once, no number of key frames is enough. There are as many such joints as
+// take all spare keys.
+TEST(ClipFitterTest, jointsThatNeedMoreKeysThanThereAreGetLikeShares) {
+    constexpr int kJoints = 14;
+    std::string nodes, channels;
+    for (int i = 0; i < kJoints; ++i) {
+        const std::string name = "n" + std::to_string(i);
+        nodes += "<node id='" + name + "'><rotate sid='r'>0 0 1 0</rotate><rotate sid='y'>0 1 0 0</rotate>" +
+                 "<instance_geometry url='#mesh'/></node>";
+        for (const std::string turn : {"r", "y"})
+            channels += AnimationText{.target = name + "/" + turn + ".ANGLE",
+                                      .times = "0 1",
+                                      .values = turn == "r" ? "0 100000" : "0 70000",
+                                      .id = name + turn}
+                            .text();
+    }
+    const Model model = loadText(collada(triangle() + animations(channels) + scene(nodes)));
+    ASSERT_THAT(model.animations.at(0).channels, SizeIs(kJoints));
+    for (const Channel& channel : model.animations[0].channels)
+        EXPECT_GT(channel.keyFrames.size(), 2000u) << "of " << channel.joint;
+    EXPECT_THAT(codes(model.diagnostics), Contains("WC0513"));
+}
+
+TEST(ClipFitterTest, whatIsMissedIsSaidInNumbersThatCanBeRead) {
+    const Model model = loadText(
+        boxWith(kRotate, animations(AnimationText{"box/r.ANGLE", "0 1 2", "0 33 71"}.text())), within(1e-9));
+    ASSERT_THAT(codes(model.diagnostics), ElementsAre("WC0513"));
+    EXPECT_THAT(model.diagnostics[0].message, HasSubstr("e-08 of"));
+}
+
+// The first tolerance that is tried is the default one; what a smaller one needs beyond the limit is not loaded.
+TEST(ClipFitterTest, theLimitOfKeyFramesEndsTheSearchAndRefusesNoFileThatTheDefaultToleranceLoads) {
+    const AnimationText swing{
+        .target = "box/r.ANGLE", .times = "0 1 1.2 3", .values = "0 80 -60 5", .interpolations = "CARDINAL"};
+    const std::string text = boxWith(kRotate, animations(swing.text()));
+    const std::size_t keys = loadText(text).animations.at(0).channels.at(0).keyFrames.size();
+    LoadOptions fine = within(1e-6);
+    fine.limits.maxKeyFrames = keys;
+    const Model model = loadText(text, fine);
+    EXPECT_EQ(model.animations.at(0).channels.at(0).keyFrames.size(), keys);
+    EXPECT_THAT(codes(model.diagnostics), ElementsAre("WC0513"));
+    LoadOptions coarse = within(1e-2);
+    coarse.limits.maxKeyFrames = keys - 1;
+    EXPECT_LT(loadText(text, coarse).animations.at(0).channels.at(0).keyFrames.size(), keys);
+    LoadOptions few = within(1e-4);
+    few.limits.maxKeyFrames = keys - 1;
+    EXPECT_EQ(whyNot(text, few).code, "WC0801");
+}
+
+// ---- clips
+
+const AnimationText kX{.target = "box/t.X", .times = "0 1 2 3 4", .values = "0 4 0 4 0", .id = "x"};
+const AnimationText kY{.target = "box/t.Y", .times = "0 4", .values = "0 8", .id = "y"};
+
+Model withClips(const std::string& body, const std::string& clips) {
+    return loadText(boxWith(
+        kMove, animations(body) + "<library_animation_clips>" + clips + "</library_animation_clips>"));
+}
+
+std::string clip(const std::string& attributes, const std::string& url) {
+    return "<animation_clip " + attributes + "><instance_animation url='" + url + "'/></animation_clip>";
+}
+
+TEST(ClipFitterTest, aClipOfAllThatMovesIsCutOutOfTheWhole) {
+    const Model model = withClips(kX.text(), clip("id='middle' start='1.25' end='2.5'", "#x"));
+    ASSERT_THAT(model.animations, SizeIs(2));
+    const std::vector<KeyFrame>& keys = model.animations[1].channels.at(0).keyFrames;
+    ASSERT_THAT(keys, SizeIs(3));  // the last before it, the first after it, and what is between
+    EXPECT_EQ(keys[0].seconds, 1.0);
+    EXPECT_EQ(keys[1].seconds, 2.0);
+    EXPECT_EQ(keys[2].seconds, 3.0);
+    EXPECT_EQ(model.animations[1].achievedError, model.animations[0].achievedError);
+}
+
+TEST(ClipFitterTest, aClipThatEndsAtAKeyNeedsNoneBehindIt) {
+    const Model model = withClips(kX.text(), clip("id='first' start='1' end='2'", "#x"));
+    const std::vector<KeyFrame>& keys = model.animations.at(1).channels.at(0).keyFrames;
+    ASSERT_THAT(keys, SizeIs(2));
+    EXPECT_EQ(keys[0].seconds, 1.0);
+    EXPECT_EQ(keys[1].seconds, 2.0);
+}
+
+TEST(ClipFitterTest, aClipOfSomeChannelsOfAJointHasKeysOfItsOwn) {
+    const Model model = withClips(kX.text() + kY.text(), clip("id='rise'", "#y") + clip("id='sway'", "#x"));
+    ASSERT_THAT(model.animations, SizeIs(3));
+    EXPECT_THAT(model.animations[0].channels.at(0).keyFrames, SizeIs(5));
+    EXPECT_THAT(model.animations[1].channels.at(0).keyFrames, SizeIs(2));
+    EXPECT_NEAR(keyed(model, 1.0, 0, 1)[3].y, 2.0f, 1e-4f);
+    EXPECT_NEAR(keyed(model, 1.0, 0, 1)[3].x, 0.0f, 1e-4f);
+    EXPECT_NEAR(keyed(model, 1.0, 0, 2)[3].x, 4.0f, 1e-4f);
+    EXPECT_LT(model.animations[1].achievedError, 1e-6f);
+}
+
+TEST(ClipFitterTest, aClipInWhichNothingMovesIsLeftOut) {
+    const AnimationText nowhere{.target = "gone/t.X", .times = "0 1", .values = "0 1", .id = "nowhere"};
+    const Model model =
+        withClips(kX.text() + nowhere.text(), clip("id='none'", "#nowhere") + clip("id='sway'", "#x"));
+    ASSERT_THAT(model.animations, SizeIs(2));
+    EXPECT_EQ(model.animations[1].name, "sway");
+}
+
+}  // namespace
+}  // namespace walkcycle
