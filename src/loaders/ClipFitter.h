@@ -15,7 +15,6 @@ namespace walkcycle {
 // What all that moves, or one of it, counts as work of fitting (see LoadProgress): by the keys of its curves.
 double workOf(const Motion& motion);
 
-// Makes clips of keyframes from the exact motion, within LoadOptions::tolerance.
 // Makes clips of key frames from the exact motion, within LoadOptions::tolerance. Where keys cannot do that, the clips
 // come as near as they can, and WC0513 is reported.
 //
