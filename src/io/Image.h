@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -18,7 +17,7 @@ struct Image {
     Bytes rgba;
 };
 
-// How large a picture may be before decodeImage refuses it, so that a few bytes cannot cost gigabytes.
+// How large a picture may be before decodeImage (ImageDecoder.h) refuses it, so that a few bytes cannot cost gigabytes.
 struct ImageLimits {
     std::uint64_t maxDimension = 16384;
     std::uint64_t maxPixels = 64 * 1024 * 1024;
@@ -34,14 +33,5 @@ struct ImageTooLarge : ImageError {
     std::uint64_t amount;
     std::uint64_t ImageLimits::*limit;
 };
-
-// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP. Throws ImageError saying what is wrong.
-Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
-
-// The same for who needs no pixels: where a file's kind tells its size apart from them, they are not decoded.
-Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
-
-Bytes encodePng(const Image& image);
-Bytes encodeWebp(const Image& image);  // lossless
 
 }  // namespace walkcycle

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "io/ImageDecoder.h"
 #include "io/Uri.h"
 #include "loaders/LimitCheck.h"
 #include "loaders/PicturesAhead.h"

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "io/File.h"
+#include "io/ImageDecoder.h"
 #include "io/Uri.h"
 #include "loaders/ColladaDocument.h"
 

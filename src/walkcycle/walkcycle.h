@@ -10,6 +10,7 @@
 #include "animation/PlainPoser.h"
 #include "io/File.h"
 #include "io/Image.h"
+#include "io/ImageWriter.h"
 #include "loaders/ColladaLoader.h"
 #include "model/CpuSkinning.h"
 #include "model/Model.h"
