@@ -5,8 +5,9 @@
 
 #include "Documents.h"
 #include "Require.h"
-#include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/DocumentSet.h"
+#include "loaders/Inputs.h"
 #include "loaders/Source.h"
 
 namespace {
@@ -24,7 +25,7 @@ void check(const std::shared_ptr<const Source<T>>& source) {
 
 void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics) {
     SourceReader sources(documents, diagnostics);
-    for (XmlNode node = root; node; node = next(node)) {
+    for (XmlNode node : elementsOf(root)) {
         if (node.is("source")) {
             bool isIdref = false;
             check(sources.floats(node, Numbers::Error));

@@ -4,7 +4,9 @@
 
 #include <tinyxml2.h>
 
+#include "loaders/AnimationFitter.h"
 #include "loaders/AnimationLoader.h"
+#include "loaders/AnimationTargets.h"
 #include "loaders/AssetReader.h"
 #include "loaders/ControllerLoader.h"
 #include "loaders/Inspection.h"
@@ -81,10 +83,10 @@ void report(const LoadContext& context, double done) {
 }
 
 // Meshes, skins, morphs and materials; what only they were made from is given back before the keyframes take memory.
-void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext& context, Model& model,
-                   AnimationTargets& targets) {
+void loadInstances(XmlNode collada, SkeletonLoader& skeletons, PicturesAhead& pictures,
+                   const LoadContext& context, Model& model, AnimationTargets& targets) {
     MeshLibrary meshes(context, model.asset, collada);
-    MaterialLoader materials(context, model);
+    MaterialLoader materials(context, model, &pictures);
     ControllerLoader controllers(context, meshes, skeletons, model, targets);
     InstanceLoader instances(context, meshes, controllers, materials, model);
     const SceneGraph& scene = skeletons.scene();
@@ -97,7 +99,7 @@ void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext
 }
 
 // The page of the file format: each library in the order in which the next one needs it.
-void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
+void loadModel(XmlNode collada, PicturesAhead& pictures, const LoadContext& context, Model& model) {
     checkVersion(collada, context);
     checkNamespace(collada, context);
     checkElements(collada, context.diagnostics);
@@ -112,7 +114,7 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     report(context, 0.2);
 
     AnimationTargets targets;
-    loadInstances(collada, skeletons, context, model, targets);
+    loadInstances(collada, skeletons, pictures, context, model, targets);
     report(context, 0.7);
 
     SceneGraph& scene = skeletons.scene();
@@ -121,7 +123,8 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     model.skeleton.joints = scene.skeleton.joints;
     loadVisibility(scene, context, model);
     for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;
-    loadAnimations(collada, scene, targets, context, model);
+    const LoadedMotion motion = loadAnimations(collada, scene, targets, context, model);
+    fitAnimations(motion, collada, context, model);
     if (context.options.inspector) context.options.inspector({collada, scene, model, context});
     report(context, 1.0);
 }
@@ -131,14 +134,14 @@ Model load(const std::string& file, const LoadOptions& options, Open open) {
     Diagnostics diagnostics(options.limits.maxMessages);
     DocumentSet documents(options, diagnostics);
     SourceReader sources(documents, diagnostics);
-    PicturesAhead ahead;
-    const LoadContext context{options, diagnostics, documents, sources, &ahead};
+    const LoadContext context{options, diagnostics, documents, sources};
+    PicturesAhead pictures;
     Model model;
     model.file = file;
     const XmlNode collada = open(documents).root();
     context.checkCancelled(collada);
-    ahead.begin(collada, documents, options);
-    loadModel(collada, context, model);
+    pictures.begin(collada, documents, options);
+    loadModel(collada, pictures, context, model);
     model.diagnostics = diagnostics.take();
     return model;
 }

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "loaders/ColladaDocument.h"
+#include <cstdint>
+
 #include "loaders/Diagnostics.h"
+#include "loaders/DocumentSet.h"
+#include "loaders/LoadLimits.h"
 #include "loaders/LoadOptions.h"
 #include "loaders/Source.h"
+#include "loaders/XmlNode.h"
 
 namespace walkcycle {
-
-class PicturesAhead;
 
 // What every loader of one load shares.
 struct LoadContext {
@@ -15,7 +17,6 @@ struct LoadContext {
     Diagnostics& diagnostics;
     DocumentSet& documents;
     SourceReader& sources;
-    PicturesAhead* ahead = nullptr;  // where pictures are decoded while meshes are read
 
     // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).
     void require(std::uint64_t amount, std::uint64_t LoadLimits::*limit, const XmlNode& where) const;

@@ -29,7 +29,7 @@ struct MaterialLoader::Impl {
     EffectReader effects;
     std::unordered_map<XmlNode, std::optional<Material>> effectsRead;
     std::unordered_map<XmlNode, int> materials;  // <material> -> Model::materials; -1: cannot be shown
-    std::unordered_map<const ColladaDocument*, NodesByName> materialsByName;
+    std::unordered_map<XmlNode, NodesByName> materialsByName;  // by <COLLADA>
     std::unordered_multimap<XmlNode, int> elements;
 
     int load(XmlNode material);
@@ -82,12 +82,12 @@ int MaterialLoader::Impl::bound(XmlNode binding) {
 // Parts without a symbol ask for no material; the others may mean the one of that id or name.
 int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const MeshData& mesh) {
     if (part.materialSymbol.empty()) return -1;
-    const ColladaDocument& document = instance.document();
-    XmlNode material = document.byId(part.materialSymbol);
+    const XmlNode collada = instance.root();
+    XmlNode material = collada.elementById(part.materialSymbol);
     if (!material.is("material")) {
-        const auto [entry, isNew] = materialsByName.try_emplace(&document);
+        const auto [entry, isNew] = materialsByName.try_emplace(collada);
         if (isNew)
-            for (XmlNode library : document.root().children("library_materials"))
+            for (XmlNode library : collada.children("library_materials"))
                 for (XmlNode known : library.children("material"))
                     entry->second.try_emplace(known.attribute("name"), known);
         const auto found = entry->second.find(part.materialSymbol);
@@ -98,8 +98,8 @@ int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const Me
     return material ? load(material) : -1;
 }
 
-MaterialLoader::MaterialLoader(const LoadContext& context, Model& model)
-    : impl_(new Impl{context, model, {context, model}, {}, {}, {}, {}}) {}
+MaterialLoader::MaterialLoader(const LoadContext& context, Model& model, PicturesAhead* ahead)
+    : impl_(new Impl{context, model, {context, model, ahead}, {}, {}, {}, {}}) {}
 MaterialLoader::~MaterialLoader() = default;
 
 std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData& mesh) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <unordered_map>
+#include <vector>
 
 #include "loaders/LoadContext.h"
+#include "loaders/PicturesAhead.h"
 #include "model/Model.h"
 
 namespace walkcycle {
@@ -10,7 +13,8 @@ namespace walkcycle {
 // Reads materials as instances bind them: each <material> once (cached), its <effect>, samplers, surfaces and pictures.
 class MaterialLoader {
 public:
-    MaterialLoader(const LoadContext& context, Model& model);
+    // `ahead` may hold pictures that are decoded already; null: none are.
+    MaterialLoader(const LoadContext& context, Model& model, PicturesAhead* ahead = nullptr);
     ~MaterialLoader();
 
     // One PartMaterial per part of the mesh, from the <bind_material> of an <instance_geometry> or

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "loaders/PlainNumber.h"
+#include "loaders/Words.h"
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -48,7 +49,7 @@ inline NumberBlock::NumberBlock(const char* at) : start_(at) {
     }
 #else
     for (int i = 0; i < kSize; ++i) {
-        spaces_ |= std::uint64_t{isNumberSpace(at[i])} << i;
+        spaces_ |= std::uint64_t{isWhiteSpace(at[i])} << i;
         digits_ |= std::uint64_t{isDigit(at[i])} << i;
     }
 #endif

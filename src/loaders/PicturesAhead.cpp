@@ -7,7 +7,6 @@
 #include "io/File.h"
 #include "io/ImageDecoder.h"
 #include "io/Uri.h"
-#include "loaders/ColladaDocument.h"
 
 namespace walkcycle {
 namespace {

@@ -6,9 +6,10 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
-#include "loaders/NumberParser.h"
+#include "loaders/Inputs.h"
 #include "loaders/SkinNodeQuirk.h"
 #include "loaders/WeightsReader.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {

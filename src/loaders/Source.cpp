@@ -4,10 +4,9 @@
 #include <optional>
 #include <unordered_set>
 
-#include "loaders/ColladaDocument.h"
-#include "loaders/Diagnostics.h"
 #include "loaders/NumberParser.h"
 #include "loaders/SpacedNames.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -179,7 +178,7 @@ std::vector<std::string> readNames(XmlNode array) {
     const std::vector<std::string_view> words = splitWords(array.rawText(joined));
     std::uint64_t count = 0;
     if (array.is("Name_array") && parseUnsigned(array.attribute("count"), count) && count < words.size())
-        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.document().root()))
+        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.root()))
             return std::move(*names);
     return {words.begin(), words.end()};
 }

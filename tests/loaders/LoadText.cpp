@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "animation/Animator.h"
-#include "loaders/NumberParser.h"
 #include "model/CpuSkinning.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {

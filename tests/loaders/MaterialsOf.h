@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
+#include "loaders/DocumentSet.h"
 #include "loaders/MaterialLoader.h"
 
 namespace walkcycle {
@@ -38,7 +38,7 @@ struct MaterialsOf {
 
     // What a node's instance binds to the symbol "symbol".
     PartMaterial boundAt(const std::string& node) {
-        const XmlNode instance = root.document().byId(node).child("instance_geometry");
+        const XmlNode instance = root.elementById(node).child("instance_geometry");
         return loader.bind(instance, meshAsking("symbol")).at(0);
     }
 
