@@ -54,25 +54,23 @@ void refuseEntities(std::string_view text, const std::string& file, Diagnostics&
     if (entity < root) diagnostics.fail(Code::EntitiesRefused, file, lineAt(text, entity), {});
 }
 
-std::string describe(const tinyxml2::XMLDocument& xml) {
-    switch (xml.ErrorID()) {
-        case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-            return "an element is not closed, or closed by another's end tag";
-        case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-            return "there is no element in it";
-        case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-            return "an attribute is not written as name=\"value\"";
-        case tinyxml2::XML_ERROR_PARSING_ELEMENT:
-            return "a tag is cut short or misspelt";
-        case tinyxml2::XML_ERROR_PARSING_TEXT:
-            return "the text ends before its element does";
-        case tinyxml2::XML_ERROR_PARSING_COMMENT:
-            return "a comment has no end";
-        case tinyxml2::XML_ERROR_PARSING_CDATA:
-            return "a CDATA section has no end";
-        default:
-            return "the markup cannot be read";
-    }
+struct Reason {
+    tinyxml2::XMLError error;
+    const char* text;
+};
+constexpr Reason kReasons[] = {
+    {tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is not closed, or closed by another's end tag"},
+    {tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "there is no element in it"},
+    {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute is not written as name=\"value\""},
+    {tinyxml2::XML_ERROR_PARSING_ELEMENT, "a tag is cut short or misspelt"},
+    {tinyxml2::XML_ERROR_PARSING_TEXT, "the text ends before its element does"},
+    {tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment has no end"},
+    {tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section has no end"}};
+
+std::string describe(tinyxml2::XMLError error) {
+    for (const Reason& reason : kReasons)
+        if (reason.error == error) return reason.text;
+    return "the markup cannot be read";
 }
 
 }  // namespace
@@ -131,7 +129,8 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
         diagnostics.fail(Code::TooDeep, tree_.file, xml_->ErrorLineNum(),
                          {std::to_string(limitInfo(&LoadLimits::maxNesting).most)});
     if (xml_->Error())
-        diagnostics.fail(Code::NotXml, tree_.file, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
+        diagnostics.fail(Code::NotXml, tree_.file, std::max(1, xml_->ErrorLineNum()),
+                         {describe(xml_->ErrorID())});
     text_ = {};  // the DOM holds it all
     rewritten_ = {};
     bytes_ = {};

@@ -48,9 +48,12 @@ Handles handlesOf(const CurveKeys& keys, std::size_t i, std::size_t component) {
                     b - tangent(keys, true, i + 1, component, length) / 3.0};
         case Interpolation::Cardinal:  // of no tension: Catmull-Rom
             return {a + (b - points.before(i)) / 6.0, b - (points.after(i + 1) - a) / 6.0};
-        default:  // B-spline: its end points have been moved already, the handles are at the thirds between the keys
-            return {(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0};
+        case Interpolation::BSpline:  // its end points have been moved onto the curve already
+        case Interpolation::Linear:
+        case Interpolation::Step:  // the last two are no Beziers: nobody asks for their handles
+            break;
     }
+    return {(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0};  // at the thirds between the keys
 }
 
 // A B-spline passes its keys by; where a run of its segments begins and ends it goes through the key, so that it joins

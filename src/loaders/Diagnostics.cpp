@@ -39,7 +39,8 @@ std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
 }
 
 // Takes all of `where` but the element's name.
-Diagnostic make(Severity severity, Code code, FileLocation& where, int line, Diagnostics::Arguments arguments) {
+Diagnostic make(Severity severity, Code code, FileLocation& where, int line,
+                Diagnostics::Arguments arguments) {
     const CodeInfo& entry = info(code);
     Diagnostic diagnostic;
     diagnostic.severity = severity;

@@ -75,7 +75,8 @@ void requireModestElements(XmlNode root, std::size_t documentBytes, const LoadLi
     };
     require(root, 1);
     const XmlNode::Descendants all = root.descendants();
-    for (auto it = all.begin(); it != all.end(); ++it) require(*it, static_cast<std::uint64_t>(it.depth()) + 1);
+    for (auto it = all.begin(); it != all.end(); ++it)
+        require(*it, static_cast<std::uint64_t>(it.depth()) + 1);
 }
 
 }  // namespace walkcycle

@@ -35,8 +35,8 @@ std::size_t findMarkupBeyond(std::string_view document, std::uint64_t most) {
     using Kind = MarkupScanner::Kind;
     std::uint64_t found = 0;
     for (MarkupScanner markup(document); markup.next();) {
-        const bool counts = markup.kind() != Kind::EndTag &&
-                            !document.substr(markup.begin()).starts_with("<?xml");
+        const bool counts =
+            markup.kind() != Kind::EndTag && !document.substr(markup.begin()).starts_with("<?xml");
         if (counts && ++found > most) return markup.begin();
         if (markup.kind() == Kind::Declaration) markup.moveTo(markup.begin() + 1);
     }

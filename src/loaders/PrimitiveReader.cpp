@@ -78,7 +78,10 @@ public:
             case Kind::Polylist:
                 readPolylist();
                 break;
-            default:
+            case Kind::Polygons:
+            case Kind::Trifans:
+            case Kind::Tristrips:
+            case Kind::Linestrips:
                 readLists();
                 break;
         }

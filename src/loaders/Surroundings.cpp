@@ -8,7 +8,6 @@
 #include <dirent.h>
 #include <sys/stat.h>
 
-
 namespace walkcycle {
 namespace fs = std::filesystem;
 namespace {

@@ -159,7 +159,8 @@ XmlNode TextureReader::imageOfSurface(XmlNode surface, XmlNode texture, const Ef
 XmlNode TextureReader::imageNamed(XmlNode from, const std::string& name) {
     if (name.empty()) return {};
     const XmlNode collada = from.root();
-    if (const XmlNode image = collada.elementById(name.front() == '#' ? name.substr(1) : name); image.is("image"))
+    if (const XmlNode image = collada.elementById(name.front() == '#' ? name.substr(1) : name);
+        image.is("image"))
         return image;
     const auto [entry, isNew] = imagesByName_.try_emplace(collada);
     if (isNew)

@@ -17,7 +17,7 @@ namespace walkcycle {
 class TextureReader {
 public:
     TextureReader(const LoadContext& context, Model& model, PicturesAhead* ahead)
-        : context_(context), model_(model), pictures_(context) {}
+        : context_(context), model_(model), pictures_(context, ahead) {}
 
     // An index into Model::textures (its picture may be missing); -1 where the way ends before an <image>, reported.
     int read(XmlNode texture, const EffectParameters& parameters, Slot slot);

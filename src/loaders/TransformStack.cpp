@@ -120,9 +120,12 @@ bool isDegenerate(const TransformElement& e) {
             return isZero(glm::cross(vec3Of(v) - vec3Of(v + 3), vec3Of(v + 6)));
         case Kind::Skew:
             return v[0] != 0.0 && skew(v) == glm::dmat4(1.0);
-        default:
+        case Kind::Matrix:
+        case Kind::Translate:
+        case Kind::Scale:
             return false;
     }
+    return false;
 }
 
 TransformElement readElement(XmlNode node, const KindInfo& kind, Diagnostics& diagnostics) {

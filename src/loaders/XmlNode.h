@@ -110,7 +110,7 @@ public:
         Iterator& operator++();
         bool operator!=(const Iterator& other) const { return !(node_ == other.node_); }
 
-        int depth() const { return depth_; }             // 1 for children, 2 for their children
+        int depth() const { return depth_; }              // 1 for children, 2 for their children
         void skipChildren() { entersChildren_ = false; }  // of the element that the iterator stands at
 
     private:

@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "animation/Animator.h"
-#include "model/CpuSkinning.h"
 #include "loaders/Words.h"
+#include "model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {
