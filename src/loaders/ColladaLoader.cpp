@@ -12,7 +12,6 @@
 #include "loaders/Inspection.h"
 #include "loaders/KnownElements.h"
 #include "loaders/MaterialLoader.h"
-#include "loaders/PicturesAhead.h"
 #include "loaders/SceneLoader.h"
 
 namespace walkcycle {
@@ -83,10 +82,9 @@ void report(const LoadContext& context, double done) {
 }
 
 // Meshes, skins, morphs and materials; what only they were made from is given back before the keyframes take memory.
-void loadInstances(XmlNode collada, SkeletonLoader& skeletons, PicturesAhead& pictures,
+void loadInstances(XmlNode collada, SkeletonLoader& skeletons, MaterialLoader& materials,
                    const LoadContext& context, Model& model, AnimationTargets& targets) {
     MeshLibrary meshes(context, model.asset, collada);
-    MaterialLoader materials(context, model, &pictures);
     ControllerLoader controllers(context, meshes, skeletons, model, targets);
     InstanceLoader instances(context, meshes, controllers, materials, model);
     const SceneGraph& scene = skeletons.scene();
@@ -99,7 +97,9 @@ void loadInstances(XmlNode collada, SkeletonLoader& skeletons, PicturesAhead& pi
 }
 
 // The page of the file format: each library in the order in which the next one needs it.
-void loadModel(XmlNode collada, PicturesAhead& pictures, const LoadContext& context, Model& model) {
+void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
+    MaterialLoader materials(context, model);
+    materials.decodeAhead(collada);
     checkVersion(collada, context);
     checkNamespace(collada, context);
     checkElements(collada, context.diagnostics);
@@ -114,7 +114,7 @@ void loadModel(XmlNode collada, PicturesAhead& pictures, const LoadContext& cont
     report(context, 0.2);
 
     AnimationTargets targets;
-    loadInstances(collada, skeletons, pictures, context, model, targets);
+    loadInstances(collada, skeletons, materials, context, model, targets);
     report(context, 0.7);
 
     SceneGraph& scene = skeletons.scene();
@@ -135,13 +135,11 @@ Model load(const std::string& file, const LoadOptions& options, Open open) {
     DocumentSet documents(options, diagnostics);
     SourceReader sources(documents, diagnostics);
     const LoadContext context{options, diagnostics, documents, sources};
-    PicturesAhead pictures;
     Model model;
     model.file = file;
     const XmlNode collada = open(documents).root();
     context.checkCancelled(collada);
-    pictures.begin(collada, documents, options);
-    loadModel(collada, pictures, context, model);
+    loadModel(collada, context, model);
     model.diagnostics = diagnostics.take();
     return model;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "loaders/EffectReader.h"
+#include "loaders/PicturesAhead.h"
 #include "loaders/Tangents.h"
 #include "loaders/TexCoordBinding.h"
 
@@ -24,8 +25,12 @@ NodesByName bindingsOf(XmlNode instance) {
 }  // namespace
 
 struct MaterialLoader::Impl {
+    Impl(const LoadContext& loadContext, Model& loaded)
+        : context(loadContext), model(loaded), effects(loadContext, loaded, &pictures) {}
+
     const LoadContext& context;
     Model& model;
+    PicturesAhead pictures;
     EffectReader effects;
     std::unordered_map<XmlNode, std::optional<Material>> effectsRead;
     std::unordered_map<XmlNode, int> materials;  // <material> -> Model::materials; -1: cannot be shown
@@ -98,9 +103,13 @@ int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const Me
     return material ? load(material) : -1;
 }
 
-MaterialLoader::MaterialLoader(const LoadContext& context, Model& model, PicturesAhead* ahead)
-    : impl_(new Impl{context, model, {context, model, ahead}, {}, {}, {}, {}}) {}
+MaterialLoader::MaterialLoader(const LoadContext& context, Model& model)
+    : impl_(std::make_unique<Impl>(context, model)) {}
 MaterialLoader::~MaterialLoader() = default;
+
+void MaterialLoader::decodeAhead(XmlNode collada) {
+    impl_->pictures.begin(collada, impl_->context.documents, impl_->context.options);
+}
 
 std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData& mesh) {
     const NodesByName bindings = bindingsOf(instance);

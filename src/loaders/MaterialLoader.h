@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "loaders/LoadContext.h"
-#include "loaders/PicturesAhead.h"
+#include "loaders/XmlNode.h"
 #include "model/Model.h"
 
 namespace walkcycle {
@@ -13,9 +13,11 @@ namespace walkcycle {
 // Reads materials as instances bind them: each <material> once (cached), its <effect>, samplers, surfaces and pictures.
 class MaterialLoader {
 public:
-    // `ahead` may hold pictures that are decoded already; null: none are.
-    MaterialLoader(const LoadContext& context, Model& model, PicturesAhead* ahead = nullptr);
+    MaterialLoader(const LoadContext& context, Model& model);
     ~MaterialLoader();
+
+    // Begins to decode the pictures that the document's <image>s name, on other threads, while other things are read.
+    void decodeAhead(XmlNode collada);
 
     // One PartMaterial per part of the mesh, from the <bind_material> of an <instance_geometry> or
     // <instance_controller> (which may be missing: parts then look for a material whose id or name is their symbol).

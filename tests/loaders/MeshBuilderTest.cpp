@@ -35,7 +35,7 @@ protected:
 
     PrimitiveCorners primitive(Polygons polygons, std::vector<float> normals = {}) {
         PrimitiveCorners made;
-        made.element = load.collada;
+        made.element = load.collada.child("triangles");
         made.inputs.position.source = positions;
         made.inputs.stride = normals.empty() ? 1 : 2;
         if (!normals.empty()) {
@@ -71,7 +71,7 @@ protected:
                 all.begin() + static_cast<std::ptrdiff_t>(firstIndex) + 3};
     }
 
-    TestLoad load{"<COLLADA/>"};
+    TestLoad load{"<COLLADA><triangles/></COLLADA>"};
     std::shared_ptr<const FloatSource> positions = sourceOf(kPositions);
     LoadedMesh loaded;
 };
