@@ -118,17 +118,16 @@ XmlNode::Descendants XmlNode::descendants() const {
     return Descendants(firstChild());
 }
 
+// By tinyxml2's own pointers: several walks go over every element of a document.
 XmlNode::Descendants::Iterator& XmlNode::Descendants::Iterator::operator++() {
-    XmlNode next = entersChildren_ ? node_.firstChild() : XmlNode();
-    entersChildren_ = true;
+    const tinyxml2::XMLElement* next = entersChildren_ ? node_.element_->FirstChildElement() : nullptr;
     if (next) ++depth_;
-    while (!next && depth_ > 0) {
-        next = node_.nextSibling();
-        if (next) break;
-        node_ = node_.parent();
-        --depth_;
+    entersChildren_ = true;
+    for (const tinyxml2::XMLNode* from = node_.element_; !next; from = from->Parent()) {
+        next = from->NextSiblingElement();
+        if (!next && --depth_ == 0) break;
     }
-    node_ = next;
+    node_ = next ? XmlNode(next, node_.tree_) : XmlNode();
     return *this;
 }
 
