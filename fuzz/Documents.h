@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "loaders/LoadOptions.h"
 #include "loaders/XmlNode.h"
 
@@ -13,12 +17,12 @@ inline LoadOptions withoutFiles() {
     return options;
 }
 
-// The element after this one, in document order.
-inline XmlNode next(XmlNode node) {
-    if (const XmlNode child = node.firstChild()) return child;
-    for (; node; node = node.parent())
-        if (const XmlNode sibling = node.nextSibling()) return sibling;
-    return {};
+// The element and all below it, in document order.
+inline std::vector<XmlNode> elementsOf(XmlNode root) {
+    std::vector<XmlNode> all;
+    if (root) all.push_back(root);
+    for (XmlNode element : root.descendants()) all.push_back(element);
+    return all;
 }
 
 }  // namespace walkcycle

@@ -1,7 +1,7 @@
 // Any bytes as a picture.
 
 #include "Require.h"
-#include "io/Image.h"
+#include "io/ImageDecoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     constexpr walkcycle::ImageLimits kLimits{.maxDimension = 1024, .maxPixels = 1 << 16};

@@ -9,6 +9,7 @@
 
 #include "Require.h"
 #include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 
 namespace {
 

@@ -5,9 +5,10 @@
 
 #include "Documents.h"
 #include "Require.h"
-#include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/Dialect.h"
+#include "loaders/DocumentSet.h"
+#include "loaders/Inputs.h"
 #include "loaders/Source.h"
 
 namespace {
@@ -25,7 +26,7 @@ void check(const std::shared_ptr<const Source<T>>& source) {
 
 void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics, Dialects& dialects) {
     SourceReader sources(documents, diagnostics, dialects);
-    for (XmlNode node = root; node; node = next(node)) {
+    for (XmlNode node : elementsOf(root)) {
         if (node.is("source")) {
             bool isIdref = false;
             check(sources.floats(node, Numbers::Error));

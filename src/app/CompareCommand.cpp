@@ -10,6 +10,8 @@
 #include "app/Messages.h"
 #include "app/Numbers.h"
 #include "app/PictureFile.h"
+#include "io/File.h"
+#include "io/ImageDecoder.h"
 
 namespace walkcycle {
 namespace {

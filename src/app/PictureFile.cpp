@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/ExitCode.h"
+#include "io/File.h"
+#include "io/ImageWriter.h"
 
 namespace walkcycle {
 namespace {

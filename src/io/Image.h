@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -18,7 +17,7 @@ struct Image {
     Bytes rgba;
 };
 
-// The largest picture that decodeImage accepts, so that a file of a few bytes cannot cost gigabytes.
+// The largest picture that decodeImage (ImageDecoder.h) accepts, so that a file of a few bytes cannot cost gigabytes.
 struct ImageLimits {
     std::uint64_t maxDimension = 16384;          // pixels on a side
     std::uint64_t maxPixels = 64 * 1024 * 1024;  // width * height
@@ -35,17 +34,5 @@ struct ImageTooLarge : ImageError {
     std::uint64_t amount;               // what the file claims
     std::uint64_t ImageLimits::*limit;  // which of the limits
 };
-
-// Decodes PNG, JPEG, TGA, BMP, GIF (first frame), PSD and WebP (not animated). Throws ImageError, which says what is
-// wrong.
-Image decodeImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
-
-// The same for callers that need the size alone: where the header tells it, pixels are not decoded and `rgba`
-// is empty.
-Image measureImage(std::span<const std::uint8_t> bytes, const ImageLimits& limits = {});
-
-// The picture as a file. `rgba` must hold width * height pixels.
-Bytes encodePng(const Image& image);
-Bytes encodeWebp(const Image& image);  // lossless
 
 }  // namespace walkcycle

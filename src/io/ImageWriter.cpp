@@ -1,3 +1,5 @@
+#include "io/ImageWriter.h"
+
 #include <array>
 #include <climits>
 #include <cstring>
@@ -6,8 +8,6 @@
 
 #include <libdeflate.h>
 #include <webp/encode.h>
-
-#include "io/Image.h"
 
 namespace walkcycle {
 namespace {

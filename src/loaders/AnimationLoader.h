@@ -1,23 +1,27 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
+#include "loaders/AnimationTargets.h"
+#include "loaders/ClipLoader.h"
 #include "loaders/LoadContext.h"
+#include "loaders/Motion.h"
 #include "loaders/SceneGraph.h"
+#include "loaders/XmlNode.h"
 #include "model/Model.h"
 
 namespace walkcycle {
 
-// Where the loaders put what a channel may target beside nodes: the element (by id) and what its numbers are.
-struct AnimationTargets {
-    std::unordered_map<XmlNode, int>
-        morphs;  // <controller>, and its weights' <source> and <float_array> -> Model::morphs
-    std::unordered_map<XmlNode, int> cameras;         // <camera> -> Model::cameras
-    std::unordered_map<XmlNode, int> lights;          // <light> -> Model::lights
-    std::unordered_multimap<XmlNode, int> materials;  // <effect> and <material> -> Model::materials
+// What a document says about motion, exactly: its curves at work, and the clips that it cuts them into.
+struct LoadedMotion {
+    std::shared_ptr<const Motion> motion;  // null where nothing moves
+    std::vector<ClipRange> clips;
 };
 
-// Reads every <animation> and <animation_clip> of the root document, and what they move: fills model.animations,
-// appends to model.parameters, sets model.exactMotion. All else of the model must be loaded.
-void loadAnimations(XmlNode collada, const SceneGraph& scene, const AnimationTargets& targets,
-                    const LoadContext& context, Model& model);
+// Reads every <animation> and <animation_clip> of the root document, and what they move. Appends to model.parameters. All
+// else of the model must be loaded; AnimationFitter makes key frames of the result.
+LoadedMotion loadAnimations(XmlNode collada, const SceneGraph& scene, const AnimationTargets& targets,
+                            const LoadContext& context, Model& model);
 
 }  // namespace walkcycle

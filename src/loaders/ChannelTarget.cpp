@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "loaders/ColladaDocument.h"
 #include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 
@@ -60,7 +60,7 @@ XmlNode SidFinder::find(XmlNode from, std::string_view sid) {
     const auto [entry, isNew] = below_.try_emplace(from);
     if (isNew) {
         constexpr std::size_t kMostElements = 20'000;  // targets nest, and what is below one is below others
-        std::vector<XmlNode> level{from};
+        std::vector<XmlNode> level{from};  // nearest first, which XmlNode::descendants() does not give
         for (std::size_t i = 0; i < level.size() && level.size() < kMostElements; ++i)
             for (XmlNode below : level[i].children()) {
                 entry->second.try_emplace(below.sid(), below);
@@ -89,7 +89,7 @@ ChannelTarget findTarget(XmlNode channel, SidFinder& sids) {
     std::string_view text = trim(channel.attribute("target"));
     if (text.starts_with('#')) text.remove_prefix(1);
     const std::vector<std::string_view> names = splitPath(text);
-    const auto byId = [&](std::string_view id) { return channel.document().byId(id); };
+    const auto byId = [&](std::string_view id) { return channel.elementById(id); };
 
     ChannelTarget target;
     if (names.size() == 1) {

@@ -35,25 +35,26 @@ std::optional<double> readTime(XmlNode element, const char* attribute, const std
 AnimationTree readAnimationTree(XmlNode collada) {
     AnimationTree tree;
     for (XmlNode library : collada.children("library_animations")) {
-        // Depth first without recursion: down to the first child, else along, else up and along.
-        XmlNode node = library.firstChild();
-        while (node) {
-            if (node.is("channel")) tree.channels.push_back(node);
-            const int reached = static_cast<int>(tree.channels.size());
-            if (node.is("animation")) tree.channelsOf[node] = {reached, reached};
-            if (node.is("animation") && node.firstChild()) {
-                node = node.firstChild();
+        const XmlNode::Descendants elements = library.descendants();
+        std::vector<XmlNode> open;  // the <animation>s around the element, outermost first
+        const auto closeBelow = [&](int depth) {
+            while (static_cast<int>(open.size()) >= depth) {
+                tree.channelsOf[open.back()].second = static_cast<int>(tree.channels.size());
+                open.pop_back();
+            }
+        };
+        for (auto element = elements.begin(); element != elements.end(); ++element) {
+            closeBelow(element.depth());
+            if (element->is("channel")) tree.channels.push_back(*element);
+            if (!element->is("animation")) {
+                element.skipChildren();
                 continue;
             }
-            while (node && !node.nextSibling()) {
-                node = node.parent();
-                if (node == library || !node.is("animation"))
-                    node = {};
-                else
-                    tree.channelsOf[node].second = static_cast<int>(tree.channels.size());
-            }
-            if (node) node = node.nextSibling();
+            const int reached = static_cast<int>(tree.channels.size());
+            tree.channelsOf[*element] = {reached, reached};
+            open.push_back(*element);
         }
+        closeBelow(1);
     }
     return tree;
 }

@@ -39,70 +39,61 @@ void reportControls(std::string_view text, const std::string& file, Diagnostics&
         diagnostics.report(Code::ControlCharacter, file, lineAt(text, control), {});
 }
 
-// What tinyxml2 would take in silence, or for ever: entities in a DOCTYPE, and very many attributes.
-void refuseTricks(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
-    constexpr std::size_t kNone = std::string_view::npos;
-    constexpr std::size_t kMostAttributes = 1000;
-    if (const std::size_t crowded = findCrowdedTag(text, kMostAttributes); crowded != kNone)
-        diagnostics.fail(Code::NotXml, file, lineAt(text, crowded),
-                         {"an element has more than " + std::to_string(kMostAttributes) + " attributes"});
+void refuseCrowdedTags(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+    const std::size_t crowded = findCrowdedTag(text, kMostAttributes);
+    if (crowded == text.npos) return;
+    diagnostics.fail(Code::NotXml, file, lineAt(text, crowded),
+                     {"an element has more than " + std::to_string(kMostAttributes) + " attributes"});
+}
+
+// tinyxml2 would skip them in silence.
+void refuseEntities(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
     const std::size_t root = text.find("<COLLADA");
     const std::size_t doctype = text.substr(0, root).find("<!DOCTYPE");
-    if (doctype == kNone) return;
+    if (doctype == text.npos) return;
     const std::size_t entity = text.find("<!ENTITY", doctype);
     if (entity < root) diagnostics.fail(Code::EntitiesRefused, file, lineAt(text, entity), {});
 }
 
-std::string describe(const tinyxml2::XMLDocument& xml) {
-    switch (xml.ErrorID()) {
-        case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-            return "an element is not closed, or closed by another's end tag";
-        case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-            return "there is no element in it";
-        case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-            return "an attribute is not written as name=\"value\"";
-        case tinyxml2::XML_ERROR_PARSING_ELEMENT:
-            return "a tag is cut short or misspelt";
-        case tinyxml2::XML_ERROR_PARSING_TEXT:
-            return "the text ends before its element does";
-        case tinyxml2::XML_ERROR_PARSING_COMMENT:
-            return "a comment has no end";
-        case tinyxml2::XML_ERROR_PARSING_CDATA:
-            return "a CDATA section has no end";
-        default:
-            return "the markup cannot be read";
-    }
-}
+struct Reason {
+    tinyxml2::XMLError error;
+    const char* text;
+};
+constexpr Reason kReasons[] = {
+    {tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is not closed, or closed by another's end tag"},
+    {tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "there is no element in it"},
+    {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute is not written as name=\"value\""},
+    {tinyxml2::XML_ERROR_PARSING_ELEMENT, "a tag is cut short or misspelt"},
+    {tinyxml2::XML_ERROR_PARSING_TEXT, "the text ends before its element does"},
+    {tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment has no end"},
+    {tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section has no end"}};
 
-// The element after `element` in document order; null at the end. No recursion: the depth is the file's choice.
-tinyxml2::XMLElement* nextInDocument(tinyxml2::XMLElement* element) {
-    if (auto* child = element->FirstChildElement()) return child;
-    for (tinyxml2::XMLNode* node = element; node; node = node->Parent()) {
-        if (auto* sibling = node->NextSiblingElement()) return sibling;
-    }
-    return nullptr;
+std::string describe(tinyxml2::XMLError error) {
+    for (const Reason& reason : kReasons)
+        if (reason.error == error) return reason.text;
+    return "the markup cannot be read";
 }
 
 }  // namespace
 
 ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits,
                                  Diagnostics& diagnostics, LoadProgress* progress)
-    : file_(std::move(file)), xml_(std::make_unique<tinyxml2::XMLDocument>()) {
-    requireWithin(limits, &LoadLimits::maxFileBytes, bytes.size(), file_, 0, diagnostics);
+    : tree_{.file = std::move(file), .byId = {}}, xml_(std::make_unique<tinyxml2::XMLDocument>()) {
+    requireWithin(limits, &LoadLimits::maxFileBytes, bytes.size(), tree_.file, 0, diagnostics);
     decode(std::move(bytes), diagnostics);
-    requireFewElements(text_, file_, limits, diagnostics);
+    requireFewElements(text_, tree_.file, limits, diagnostics);
     const std::size_t length = text_.size();
     if (progress) progress->documentIs(0.4);  // decoded
     parse(diagnostics);
     if (progress) progress->documentIs(0.9);  // parsed
-    root_ = XmlNode(xml_->RootElement(), this);
-    if (!root_) diagnostics.fail(Code::NotXml, file_, 1, {"there is no element in it"});
+    root_ = XmlNode(xml_->RootElement(), &tree_);
+    if (!root_) diagnostics.fail(Code::NotXml, tree_.file, 1, {"there is no element in it"});
     if (const XmlNode second = root_.nextSibling())
         diagnostics.fail(Code::NotXml, second,
                          {"a second root element, <" + std::string(second.name()) + ">"});
     if (!root_.is("COLLADA")) diagnostics.fail(Code::NotCollada, root_, {std::string(root_.name())});
     requireModestElements(root_, length, limits, diagnostics);
-    indexIds(diagnostics);
+    indexElements(diagnostics);
 }
 
 ColladaDocument::~ColladaDocument() = default;
@@ -115,11 +106,11 @@ void ColladaDocument::decode(Bytes bytes, Diagnostics& diagnostics) {
         bytes_ = std::move(bytes);
         text_ = *text;
     } else {
-        rewritten_ = toText(std::move(bytes), file_, diagnostics);
+        rewritten_ = toText(std::move(bytes), tree_.file, diagnostics);
         text_ = rewritten_;
     }
-    if (!isPlain) reportControls(text_, file_, diagnostics);
-    refuseTricks(text_, file_, diagnostics);
+    if (!isPlain) reportControls(text_, tree_.file, diagnostics);
+    refuseEntities(text_, tree_.file, diagnostics);
     if (std::optional<std::string> kept = withoutInstructions(text_)) {
         rewritten_ = std::move(*kept);
         bytes_ = {};
@@ -135,12 +126,14 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
         if (!xml_->Error() && placeNumberText()) return;
         cutTexts_.clear();
     }
+    refuseCrowdedTags(text_, tree_.file, diagnostics);
     xml_->Parse(text_.data(), text_.size());
     if (xml_->ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
-        diagnostics.fail(Code::TooDeep, file_, xml_->ErrorLineNum(),
+        diagnostics.fail(Code::TooDeep, tree_.file, xml_->ErrorLineNum(),
                          {std::to_string(limitInfo(&LoadLimits::maxNesting).most)});
     if (xml_->Error())
-        diagnostics.fail(Code::NotXml, file_, std::max(1, xml_->ErrorLineNum()), {describe(*xml_)});
+        diagnostics.fail(Code::NotXml, tree_.file, std::max(1, xml_->ErrorLineNum()),
+                         {describe(xml_->ErrorID())});
     text_ = {};  // the DOM holds it all
     rewritten_ = {};
     bytes_ = {};
@@ -149,7 +142,8 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
 // Hangs each cut-out text on its element. False where tinyxml2 saw other elements than the cutter did.
 bool ColladaDocument::placeNumberText() {
     std::size_t next = 0;
-    for (tinyxml2::XMLElement* element = xml_->RootElement(); element; element = nextInDocument(element)) {
+    for (XmlNode node : XmlNode(xml_->RootElement(), &tree_).descendants()) {
+        auto* const element = const_cast<tinyxml2::XMLElement*>(node.element());  // one of our xml_
         if (!holdsNumberText(element->Name())) continue;
         if (next == cutTexts_.size()) return false;
         std::optional<NumberText>& text = cutTexts_[next++];
@@ -160,23 +154,20 @@ bool ColladaDocument::placeNumberText() {
     return next == cutTexts_.size();
 }
 
-void ColladaDocument::indexIds(Diagnostics& diagnostics) {
-    hasPrefixes_ = false;
-    for (auto* element = xml_->RootElement(); element && !hasPrefixes_; element = nextInDocument(element))
-        hasPrefixes_ = std::strchr(element->Name(), ':') != nullptr;
-    for (auto* element = xml_->RootElement(); element; element = nextInDocument(element)) {
-        const char* id = element->Attribute("id");
-        if (!id || !*id) continue;
-        const auto [first, isNew] = byId_.try_emplace(id, element);
+void ColladaDocument::indexElements(Diagnostics& diagnostics) {
+    bool hasPrefixes = false;
+    const auto add = [&](XmlNode element) {
+        hasPrefixes = hasPrefixes || std::strchr(element.element()->Name(), ':');
+        const std::string_view id = element.id();
+        if (id.empty()) return;
+        const auto [first, isNew] = tree_.byId.try_emplace(id, element.element());
         if (!isNew)
-            diagnostics.report(Code::DuplicateId, XmlNode(element, this),
-                               {id, std::to_string(first->second->GetLineNum())});
-    }
-}
-
-XmlNode ColladaDocument::byId(std::string_view id) const {
-    const auto found = byId_.find(id);
-    return found == byId_.end() ? XmlNode() : XmlNode(found->second, this);
+            diagnostics.report(Code::DuplicateId, element,
+                               {std::string(id), std::to_string(first->second->GetLineNum())});
+    };
+    add(root_);
+    for (XmlNode element : root_.descendants()) add(element);
+    tree_.hasPrefixes = hasPrefixes;
 }
 
 }  // namespace walkcycle

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
-#include "io/File.h"
-#include "loaders/LoadOptions.h"
+#include "io/Bytes.h"
+#include "loaders/Diagnostics.h"
+#include "loaders/LoadLimits.h"
 #include "loaders/NumberText.h"
 #include "loaders/XmlNode.h"
-#include "model/Diagnostic.h"
+#include "loaders/XmlTree.h"
 
 namespace tinyxml2 {
 class XMLDocument;
@@ -19,7 +19,6 @@ class XMLDocument;
 
 namespace walkcycle {
 
-class Diagnostics;
 class LoadProgress;
 
 // One parsed document: its elements by id.
@@ -30,66 +29,26 @@ public:
                     LoadProgress* progress = nullptr);
     ~ColladaDocument();
 
-    const std::string& file() const { return file_; }
+    ColladaDocument(const ColladaDocument&) = delete;  // its nodes point to it
+    ColladaDocument& operator=(const ColladaDocument&) = delete;
+
+    const std::string& file() const { return tree_.file; }
     XmlNode root() const { return root_; }
-    XmlNode byId(std::string_view id) const;
-    bool hasPrefixes() const { return hasPrefixes_; }  // false: no element's name has a namespace prefix
+    XmlNode byId(std::string_view id) const { return root_.elementById(id); }
 
 private:
     void decode(Bytes bytes, Diagnostics& diagnostics);
     void parse(Diagnostics& diagnostics);
     bool placeNumberText();
-    void indexIds(Diagnostics& diagnostics);
+    void indexElements(Diagnostics& diagnostics);
 
-    std::string file_;
+    XmlTree tree_;
     Bytes bytes_;            // as read,
     std::string rewritten_;  // or what was made of them, where they were not fit for use:
     std::string_view text_;  // UTF-8; what the cut-out texts are views of
     std::vector<std::optional<NumberText>> cutTexts_;  // hung on their elements as tinyxml2 user data
     std::unique_ptr<tinyxml2::XMLDocument> xml_;
     XmlNode root_;
-    std::unordered_map<std::string_view, const tinyxml2::XMLElement*> byId_;
-    bool hasPrefixes_ = true;
-};
-
-// The document that was asked for and the others that it refers to, each loaded once.
-class DocumentSet {
-public:
-    DocumentSet(const LoadOptions& options, Diagnostics& diagnostics, LoadProgress* progress = nullptr);
-    ~DocumentSet();
-
-    const ColladaDocument& openFile(const std::string& path);
-    const ColladaDocument& openMemory(std::span<const std::uint8_t> bytes, const std::string& name);
-
-    // The element that a URI ("#id", "file.dae#id", "id" alone as a courtesy) in `from` leads to; nothing (not
-    // reported) where it leads nowhere. A document that cannot be opened is reported, as what it is for this reference.
-    XmlNode resolve(const XmlNode& from, std::string_view uri, Severity unopened = Severity::Error);
-
-    // The same for a reference that must be there: reports WC0201 / WC0207 and gives nothing where it does not lead to
-    // an element of that name (empty: any). `attribute` names where the URI stands ("url", "source"); the element's
-    // text for "".
-    XmlNode follow(const XmlNode& from, const char* attribute, std::string_view elementName,
-                   Severity severity = Severity::Error);
-
-    // Reads a file beside the document (a picture): archive member, resolver or disk. Empty optional: not there.
-    // `path` is as the URI gave it, decoded, relative to the document's folder or absolute. foundPath names what was read.
-    // Where `most` bytes of its start are enough, it may be no more than those.
-    std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath,
-                                    std::size_t most = SIZE_MAX);
-    // Reads a file that the caller of the load names: from the resolver, if there is one (nothing: it has none), or from
-    // disk. Throws FileError.
-    std::optional<Bytes> readAsGiven(const std::string& path);
-    // False where such a folder is certainly not there.
-    bool mayHaveBeside(const XmlNode& from, const std::string& folder) const;
-    // Where a relative path leads on disk, spelt as readBeside() does; empty where that is not a file that may be read, or
-    // not on disk. Says nothing.
-    std::string plainFileBeside(const XmlNode& from, const std::string& path) const;
-    // Names of the files (not folders) in a folder relative to the document's; for looking for a picture.
-    std::vector<std::string> listBeside(const XmlNode& from, const std::string& folder);
-
-private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace walkcycle

@@ -4,7 +4,9 @@
 
 #include <tinyxml2.h>
 
+#include "loaders/AnimationFitter.h"
 #include "loaders/AnimationLoader.h"
+#include "loaders/AnimationTargets.h"
 #include "loaders/AssetReader.h"
 #include "loaders/ControllerLoader.h"
 #include "loaders/Dialect.h"
@@ -12,7 +14,6 @@
 #include "loaders/KnownElements.h"
 #include "loaders/LoadProgress.h"
 #include "loaders/MaterialLoader.h"
-#include "loaders/PicturesAhead.h"
 #include "loaders/SceneLoader.h"
 
 namespace walkcycle {
@@ -79,10 +80,9 @@ private:
 };
 
 // Meshes, skins, morphs and materials; what only they were made from is given back before the keyframes take memory.
-void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext& context, Model& model,
-                   AnimationTargets& targets) {
+void loadInstances(XmlNode collada, SkeletonLoader& skeletons, MaterialLoader& materials,
+                   const LoadContext& context, Model& model, AnimationTargets& targets) {
     MeshLibrary meshes(context, model.asset, collada);
-    MaterialLoader materials(context, model);
     ControllerLoader controllers(context, meshes, skeletons, model, targets);
     InstanceLoader instances(context, meshes, controllers, materials, model);
     const SceneGraph& scene = skeletons.scene();
@@ -97,6 +97,8 @@ void loadInstances(XmlNode collada, SkeletonLoader& skeletons, const LoadContext
 
 // The page of the file format: each library in the order in which the next one needs it.
 void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
+    MaterialLoader materials(context, model);
+    materials.decodeAhead(collada);
     checkVersion(collada, context);
     checkNamespace(collada, context);
     checkElements(collada, context.diagnostics);
@@ -111,7 +113,7 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     skeletons.addScene(visualScene);
 
     AnimationTargets targets;
-    loadInstances(collada, skeletons, context, model, targets);
+    loadInstances(collada, skeletons, materials, context, model, targets);
 
     SceneGraph& scene = skeletons.scene();
     loadCameras(scene, context, model, targets);
@@ -119,7 +121,8 @@ void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     model.skeleton.joints = scene.skeleton.joints;
     loadVisibility(scene, context, model);
     for (Skin& skin : model.skins) skin.placedInRoot = model.skeleton.rootTransform;
-    loadAnimations(collada, scene, targets, context, model);
+    const LoadedMotion motion = loadAnimations(collada, scene, targets, context, model);
+    fitAnimations(motion, collada, context, model);
     if (context.options.inspector) context.options.inspector({collada, scene, model, context});
 }
 
@@ -134,14 +137,12 @@ Model load(const std::string& file, const LoadOptions& options, Open open) {
         progress.advance(static_cast<double>(characters));
     };
     SourceReader sources(documents, diagnostics, dialects, numbersRead);
-    PicturesAhead ahead;
-    const LoadContext context{options, diagnostics, documents, sources, dialects, &ahead, &progress};
+    const LoadContext context{options, diagnostics, documents, sources, dialects, &progress};
     Model model;
     model.file = file;
     const XmlNode collada = open(documents).root();
     progress.plan(collada);
     progress.documentIs(1.0);
-    ahead.begin(collada, documents, options);
     loadModel(collada, context, model);
     model.diagnostics = diagnostics.take();
     progress.finish();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "loaders/Inputs.h"
 #include "loaders/MorphLoader.h"
 #include "loaders/Spelling.h"
 

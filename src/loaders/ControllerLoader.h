@@ -2,9 +2,13 @@
 
 #include <unordered_map>
 
-#include "loaders/AnimationLoader.h"
+#include "loaders/AnimationTargets.h"
+#include "loaders/JointFinder.h"
+#include "loaders/LoadContext.h"
 #include "loaders/MeshLibrary.h"
+#include "loaders/SkeletonLoader.h"
 #include "loaders/SkinLoader.h"
+#include "loaders/XmlNode.h"
 
 namespace walkcycle {
 

@@ -1,9 +1,9 @@
 #include "loaders/Diagnostics.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "loaders/MessageTemplate.h"
-#include "loaders/XmlNode.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -24,11 +24,6 @@ constexpr CodeInfo kCatalogue[] = {
 constexpr int kKeptPerKind = 3;
 // So many of one code, whatever the elements are called, are a picture of the whole.
 constexpr int kKeptPerCode = 12;
-constexpr std::size_t kLongestArgument = 200;
-
-bool continuesCharacter(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
 
 std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
     return replacePlaceholders(text, [&](std::size_t index, std::string_view) {
@@ -36,26 +31,22 @@ std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
     });
 }
 
-Diagnostic make(Severity severity, Code code, Diagnostics::Arguments arguments) {
+// Takes all of `where` but the element's name.
+Diagnostic make(Severity severity, Code code, FileLocation& where, int line,
+                Diagnostics::Arguments arguments) {
     const CodeInfo& entry = info(code);
     Diagnostic diagnostic;
     diagnostic.severity = severity;
     diagnostic.code = entry.id;
+    diagnostic.file = std::move(where.file);
+    diagnostic.line = where.line > 0 && line > 0 ? line : where.line;
+    diagnostic.elementPath = std::move(where.elementPath);
     diagnostic.message = fillIn(entry.text, arguments);
     diagnostic.cure = fillIn(entry.cure, arguments);
     return diagnostic;
 }
 
 }  // namespace
-
-std::string printable(std::string_view text) {
-    std::size_t length = std::min(text.size(), kLongestArgument);
-    while (length > 0 && length < text.size() && continuesCharacter(text[length])) --length;
-    std::string shown(text.substr(0, length));
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = ' ';
-    return length < text.size() ? shown + "..." : shown;
-}
 
 std::span<const CodeInfo> diagnosticCatalogue() {
     return kCatalogue;
@@ -77,45 +68,25 @@ void Diagnostics::add(Diagnostic diagnostic, std::string elementName) {
     all_.push_back(std::move(diagnostic));
 }
 
-void Diagnostics::report(Severity severity, Code code, const XmlNode& where, Arguments arguments, int line) {
-    Diagnostic diagnostic = make(severity, code, arguments);
-    if (where) {
-        diagnostic.file = where.file();
-        diagnostic.line = line > 0 ? line : where.line();
-        diagnostic.elementPath = where.path();
-    }
-    add(std::move(diagnostic), where ? std::string(where.name()) : std::string());
+void Diagnostics::report(Severity severity, Code code, FileLocation where, Arguments arguments, int line) {
+    add(make(severity, code, where, line, arguments), std::move(where.elementName));
 }
 
-void Diagnostics::report(Code code, const XmlNode& where, Arguments arguments, int line) {
-    report(info(code).severity, code, where, arguments, line);
+void Diagnostics::report(Code code, FileLocation where, Arguments arguments, int line) {
+    report(info(code).severity, code, std::move(where), arguments, line);
 }
 
 void Diagnostics::report(Code code, const std::string& file, int line, Arguments arguments) {
-    Diagnostic diagnostic = make(info(code).severity, code, arguments);
-    diagnostic.file = file;
-    diagnostic.line = line;
-    add(std::move(diagnostic), {});
+    report(code, {file, line, {}, {}}, arguments);
 }
 
-void Diagnostics::fail(Code code, const XmlNode& where, Arguments arguments, int line) {
-    Diagnostic diagnostic = make(Severity::Error, code, arguments);
-    diagnostic.file = where.file();
-    diagnostic.line = line > 0 ? line : where.line();
-    diagnostic.elementPath = where.path();
-    giveUp(std::move(diagnostic));
+void Diagnostics::fail(Code code, FileLocation where, Arguments arguments, int line) {
+    all_.push_back(make(Severity::Error, code, where, line, arguments));  // never only counted
+    throw LoadError(all_);
 }
 
 void Diagnostics::fail(Code code, const std::string& file, int line, Arguments arguments) {
-    Diagnostic diagnostic = make(Severity::Error, code, arguments);
-    diagnostic.file = file;
-    diagnostic.line = line;
-    giveUp(std::move(diagnostic));
-}
-
-void Diagnostics::giveUp(Diagnostic reason) {
-    all_.push_back(std::move(reason));  // never only counted
-    throw LoadError(all_);
+    fail(code, {file, line, {}, {}}, arguments);
 }
 
 }  // namespace walkcycle

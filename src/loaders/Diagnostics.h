@@ -8,16 +8,12 @@
 #include <tuple>
 #include <vector>
 
+#include "loaders/FileLocation.h"
 #include "loaders/LoadError.h"
 #include "loaders/LoadLimits.h"
 #include "model/Diagnostic.h"
 
 namespace walkcycle {
-
-class XmlNode;
-
-// Text of the file as it may stand in a one-line message: no control characters, not endless.
-std::string printable(std::string_view text);
 
 // What is wrong, by name. The texts are in DiagnosticCodes.inc, the catalogue.
 enum class Code {
@@ -56,14 +52,14 @@ public:
     explicit Diagnostics(std::uint64_t mostMessages = LoadLimits{}.maxMessages)
         : mostMessages_(mostMessages) {}
 
-    // `where` gives file, line and element path; `line` overrides the element's own line where it is known better.
-    void report(Code code, const XmlNode& where, Arguments arguments, int line = 0);
-    void report(Severity severity, Code code, const XmlNode& where, Arguments arguments, int line = 0);
+    // `where` is the element that the message is about; `line` overrides the element's own where it is known better.
+    void report(Code code, FileLocation where, Arguments arguments, int line = 0);
+    void report(Severity severity, Code code, FileLocation where, Arguments arguments, int line = 0);
     void report(Code code, const std::string& file, int line,
                 Arguments arguments);  // where there is no element
 
     // Reports, then throws LoadError.
-    [[noreturn]] void fail(Code code, const XmlNode& where, Arguments arguments, int line = 0);
+    [[noreturn]] void fail(Code code, FileLocation where, Arguments arguments, int line = 0);
     [[noreturn]] void fail(Code code, const std::string& file, int line, Arguments arguments);
 
     const std::vector<Diagnostic>& all() const { return all_; }
@@ -71,8 +67,6 @@ public:
 
 private:
     void add(Diagnostic diagnostic, std::string elementName);
-
-    [[noreturn]] void giveUp(Diagnostic reason);
 
     std::uint64_t mostMessages_;
     std::vector<Diagnostic> all_;

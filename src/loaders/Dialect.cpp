@@ -4,10 +4,10 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/LoadOptions.h"
 #include "loaders/Spelling.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -117,10 +117,10 @@ std::string Dialect::why(Quirk quirk) const {
 }
 
 Dialect& Dialects::entryOf(const XmlNode& element) {
-    const ColladaDocument* const document = &element.document();
-    const auto known = byDocument_.find(document);
+    const XmlNode collada = element.root();
+    const auto known = byDocument_.find(collada);
     if (known != byDocument_.end()) return known->second;
-    return byDocument_.try_emplace(document, authoringToolOf(document->root()), options_).first->second;
+    return byDocument_.try_emplace(collada, authoringToolOf(collada), options_).first->second;
 }
 
 void Dialects::note(Quirk quirk, const XmlNode& where) {

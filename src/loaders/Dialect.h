@@ -73,7 +73,7 @@ private:
 
     const LoadOptions& options_;
     Diagnostics& diagnostics_;
-    std::unordered_map<const ColladaDocument*, Dialect> byDocument_;
+    std::unordered_map<XmlNode, Dialect> byDocument_;  // by its root
 };
 
 // "there is no quirk 'spaced-name'; perhaps 'spaced-names' is meant", for a name that findQuirk() does not know.

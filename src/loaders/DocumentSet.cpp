@@ -1,11 +1,13 @@
+#include "loaders/DocumentSet.h"
+
 #include <filesystem>
 #include <unordered_map>
 
 #include "io/Uri.h"
-#include "loaders/ColladaDocument.h"
 #include "loaders/KnownElements.h"
 #include "loaders/LimitCheck.h"
 #include "loaders/LoadProgress.h"
+#include "loaders/Spelling.h"
 #include "loaders/Surroundings.h"
 
 namespace walkcycle {
@@ -54,37 +56,42 @@ struct DocumentSet::Impl {
         }
     }
 
-    // The document in a file whose name differs from that of `path` in case alone; it may be open already.
-    const ColladaDocument* inAnyCase(const XmlNode& from, const fs::path& path) {
+    static XmlNode rootOf(const std::shared_ptr<ColladaDocument>& document) {
+        return document ? document->root() : XmlNode();
+    }
+
+    // The root of the document in a file whose name differs from that of `path` in case alone; it may be open already.
+    XmlNode inAnyCase(const XmlNode& from, const fs::path& path) {
         const std::string name =
             inAnotherCase(surroundings.list(path.parent_path()), path.filename().string());
-        if (name.empty()) return nullptr;
+        if (name.empty()) return {};
         const fs::path actual = path.parent_path() / name;
         if (!documents[actual.string()]) {
             if (std::optional<Bytes> bytes = surroundings.read(from, actual))
                 addOther(std::move(*bytes), actual);
         }
-        return (documents[path.string()] = documents[actual.string()]).get();
+        return rootOf(documents[path.string()] = documents[actual.string()]);
     }
 
-    // The other document at `path` (relative to that of `from`), opened once; null, reported once, where it cannot be.
-    const ColladaDocument* other(const XmlNode& from, const std::string& path, Severity unopened) {
+    // The root of the other document at `path` (relative to that of `from`), opened once; nothing, reported once, where it
+    // cannot be opened.
+    XmlNode other(const XmlNode& from, const std::string& path, Severity unopened) {
         const fs::path ownFile(from.file());
-        if (fs::path(path) == ownFile.filename()) return &from.document();  // a document that names itself
+        if (fs::path(path) == ownFile.filename()) return from.root();  // a document that names itself
         const fs::path full = (ownFile.parent_path() / path).lexically_normal();
         if (const auto known = documents.find(full.string()); known != documents.end())
-            return known->second.get();
+            return rootOf(known->second);
         requireWithin(options.limits, &LoadLimits::maxDocuments, documents.size(), from, diagnostics);
         documents[full.string()] = nullptr;
         return open(from, full, unopened);
     }
 
-    const ColladaDocument* open(const XmlNode& from, const fs::path& path, Severity unopened) {
+    XmlNode open(const XmlNode& from, const fs::path& path, Severity unopened) {
         std::string reason = "there is no such file";
         try {
             if (std::optional<Bytes> bytes = surroundings.read(from, path))
-                return &addOther(std::move(*bytes), path);
-            if (const ColladaDocument* document = inAnyCase(from, path)) return document;
+                return addOther(std::move(*bytes), path).root();
+            if (const XmlNode root = inAnyCase(from, path)) return root;
         } catch (
             const LoadError& error) {  // what is wrong in it has been reported with its own file and line
             if (error.cancelled()) throw;
@@ -98,7 +105,7 @@ struct DocumentSet::Impl {
         }
         diagnostics.report(unopened, Code::ExternalMissing, from,
                            {path.string(), std::string(from.name()), reason});
-        return nullptr;
+        return {};
     }
 };
 
@@ -129,16 +136,15 @@ const ColladaDocument& DocumentSet::openMemory(std::span<const std::uint8_t> byt
 XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri, Severity unopened) {
     if (!from || uri.empty()) return {};
     if (uri.front() == '#') {  // nearly all of them; the id is tried as it stands first
-        const XmlNode here = from.document().byId(uri.substr(1));
-        return here ? here : from.document().byId(percentDecode(uri.substr(1)));
+        const XmlNode here = from.elementById(uri.substr(1));
+        return here ? here : from.elementById(percentDecode(uri.substr(1)));
     }
     if (uri.find('#') == std::string_view::npos)
-        return from.document().byId(uri);  // "id" for "#id", as a courtesy
+        return from.elementById(uri);  // "id" for "#id", as a courtesy
     const Uri parts = parseUri(uri);
     if (!parts.scheme.empty() && parts.scheme != "file") return {};
-    if (parts.path.empty()) return from.document().byId(parts.fragment);  // " #id"
-    const ColladaDocument* document = impl_->other(from, parts.path, unopened);
-    return document ? document->byId(parts.fragment) : XmlNode();
+    if (parts.path.empty()) return from.elementById(parts.fragment);  // " #id"
+    return impl_->other(from, parts.path, unopened).elementById(parts.fragment);
 }
 
 XmlNode DocumentSet::follow(const XmlNode& from, const char* attribute, std::string_view elementName,

@@ -59,8 +59,8 @@ bool hasHoles(const Image& image) {
     return false;
 }
 
-bool hasDiffusePictures(const ColladaDocument& document) {
-    for (XmlNode library : document.root().children("library_effects"))
+bool hasDiffusePictures(XmlNode collada) {
+    for (XmlNode library : collada.children("library_effects"))
         for (XmlNode effect : library.children("effect"))
             for (XmlNode shader : effect.child("profile_COMMON").child("technique").children())
                 if (shader.child("diffuse").child("texture")) return true;
@@ -114,7 +114,7 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
     if (!node) {
         // COLLADA 1.4.1, "Determining transparency": without <transparent> all is opaque but for <transparency>.
         if (slot == Slot::Transparent) material.slot(slot).color = glm::vec4(1.0f);
-        if (slot == Slot::Diffuse) useChosenPicture(parameters.effect().document(), material);
+        if (slot == Slot::Diffuse) useChosenPicture(parameters.effect().root(), material);
         return;
     }
     material.slot(slot).present = true;
@@ -127,14 +127,14 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
         readTexture(texture, slot, parameters, material);
     }
     if (slot == Slot::Diffuse && !node.child("texture"))
-        useChosenPicture(parameters.effect().document(), material);
+        useChosenPicture(parameters.effect().root(), material);
 }
 
 // Where the document has no diffuse picture that the user's could stand for, it goes on everything.
-void EffectReader::useChosenPicture(const ColladaDocument& document, Material& material) {
+void EffectReader::useChosenPicture(XmlNode collada, Material& material) {
     if (context_.options.texture.empty()) return;
-    const auto [entry, isNew] = hasDiffusePictures_.try_emplace(&document, false);
-    if (isNew) entry->second = hasDiffusePictures(document);
+    const auto [entry, isNew] = hasDiffusePictures_.try_emplace(collada, false);
+    if (isNew) entry->second = hasDiffusePictures(collada);
     if (entry->second) return;
     ColorOrTexture& diffuse = material.slot(Slot::Diffuse);
     diffuse.texture = textures_.chosen();

@@ -5,6 +5,7 @@
 
 #include "loaders/EffectParameters.h"
 #include "loaders/LoadContext.h"
+#include "loaders/PicturesAhead.h"
 #include "loaders/TextureReader.h"
 #include "model/Model.h"
 
@@ -13,8 +14,8 @@ namespace walkcycle {
 // Reads the profile_COMMON of an <effect>, as a material's <instance_effect> sets its parameters.
 class EffectReader {
 public:
-    EffectReader(const LoadContext& context, Model& model)
-        : context_(context), model_(model), textures_(context, model) {}
+    EffectReader(const LoadContext& context, Model& model, PicturesAhead* ahead)
+        : context_(context), model_(model), textures_(context, model, ahead) {}
 
     // False, and reported, where the effect has nothing that can be shown.
     bool read(XmlNode effect, XmlNode instanceEffect, Material& material);
@@ -28,7 +29,7 @@ private:
     void noValue(XmlNode node, const char* wanted);
     XmlNode parameter(XmlNode param, const EffectParameters& parameters);
     void readTexture(XmlNode texture, Slot slot, const EffectParameters& parameters, Material& material);
-    void useChosenPicture(const ColladaDocument& document, Material& material);
+    void useChosenPicture(XmlNode collada, Material& material);
     void readExtras(XmlNode element, const EffectParameters& parameters, Material& material);
     void readBump(XmlNode bump, const EffectParameters& parameters, Material& material);
     void readOpaque(XmlNode transparent, Material& material);
@@ -39,7 +40,7 @@ private:
     Model& model_;
     TextureReader textures_;
     ParameterScopes scopes_;
-    std::unordered_map<const ColladaDocument*, bool> hasDiffusePictures_;
+    std::unordered_map<XmlNode, bool> hasDiffusePictures_;
 };
 
 }  // namespace walkcycle

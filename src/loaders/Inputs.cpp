@@ -1,7 +1,9 @@
-#include "loaders/ColladaDocument.h"
-#include "loaders/Diagnostics.h"
+#include "loaders/Inputs.h"
+
+#include <cstdint>
+#include <utility>
+
 #include "loaders/NumberParser.h"
-#include "loaders/Source.h"
 #include "loaders/Spelling.h"
 
 namespace walkcycle {

@@ -8,9 +8,8 @@
 
 #include <tinyxml2.h>
 
-#include "loaders/Diagnostics.h"
-#include "loaders/NumberParser.h"
 #include "loaders/Spelling.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -199,36 +198,30 @@ std::string_view prefixOf(XmlNode element) {
 class Checker {
 public:
     Checker(XmlNode collada, Diagnostics& diagnostics)
-        : prefix_(prefixOf(collada)), diagnostics_(diagnostics) {
-        enter(collada);
-    }
+        : prefix_(prefixOf(collada)), diagnostics_(diagnostics) {}
 
-    // Depth first with a stack of our own: how deep the tree is, is the file's choice.
-    void run() {
-        while (!levels_.empty()) {
-            const XmlNode child = levels_.back().next;
-            if (!child) {
-                levels_.pop_back();
-                continue;
-            }
-            levels_.back().next = child.nextSibling();
-            const bool foreign = child.has("xmlns") || prefixOf(child) != prefix_;
-            if (!foreign && isAllowed(child, levels_.back())) enter(child);
+    void run(XmlNode collada) {
+        const XmlNode::Descendants elements = collada.descendants();
+        if (!enter(collada)) return;
+        for (auto element = elements.begin(); element != elements.end(); ++element) {
+            levels_.resize(static_cast<std::size_t>(element.depth()));
+            const bool foreign = element->has("xmlns") || prefixOf(*element) != prefix_;
+            if (foreign || !isAllowed(*element, levels_.back()) || !enter(*element)) element.skipChildren();
         }
     }
 
 private:
     struct Level {
         XmlNode parent;
-        const Children* children;
-        XmlNode next;
+        const Children* children = nullptr;
         std::uint64_t seen = 0;  // a bit per child that may stand once
     };
 
-    void enter(XmlNode element) {
-        const XmlNode first = element.firstChild();
-        if (!first) return;
-        if (const Children* children = childrenOf(element)) levels_.push_back({element, children, first});
+    // False where anything may stand in the element, or nothing does.
+    bool enter(XmlNode element) {
+        const Children* children = element.firstChild() ? childrenOf(element) : nullptr;
+        if (children) levels_.push_back({element, children});
+        return children != nullptr;
     }
 
     bool isAllowed(XmlNode child, Level& level) {
@@ -266,14 +259,14 @@ private:
 
     std::string_view prefix_;
     Diagnostics& diagnostics_;
-    std::vector<Level> levels_;
+    std::vector<Level> levels_;  // the elements around the one that is looked at
     int unknown_ = 0;
 };
 
 }  // namespace
 
 void checkElements(XmlNode collada, Diagnostics& diagnostics) {
-    Checker(collada, diagnostics).run();
+    Checker(collada, diagnostics).run(collada);
 }
 
 }  // namespace walkcycle

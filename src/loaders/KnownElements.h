@@ -1,10 +1,9 @@
 #pragma once
 
+#include "loaders/Diagnostics.h"
 #include "loaders/XmlNode.h"
 
 namespace walkcycle {
-
-class Diagnostics;
 
 // Reports what would be dropped without a word: elements that the schema does not know where they stand (WC0212), and
 // second ones where it allows one (WC0213). What programs may fill as they like (<extra>, <technique profile>), elements

@@ -1,16 +1,19 @@
 #pragma once
 
-#include "loaders/ColladaDocument.h"
+#include <cstdint>
+
 #include "loaders/Diagnostics.h"
+#include "loaders/DocumentSet.h"
+#include "loaders/LoadLimits.h"
 #include "loaders/LoadOptions.h"
 #include "loaders/NumberParser.h"
 #include "loaders/Source.h"
+#include "loaders/XmlNode.h"
 
 namespace walkcycle {
 
 class Dialects;
 class LoadProgress;
-class PicturesAhead;
 
 // What every loader of one load shares.
 struct LoadContext {
@@ -19,7 +22,6 @@ struct LoadContext {
     DocumentSet& documents;
     SourceReader& sources;
     Dialects& dialects;                // which quirks of exporters the documents are read with
-    PicturesAhead* ahead = nullptr;    // where pictures are decoded while meshes are read
     LoadProgress* progress = nullptr;  // null: nobody is told
 
     // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).

@@ -1,59 +1,22 @@
 #include "loaders/Markup.h"
 
 #include "io/TextScan.h"
+#include "loaders/MarkupScanner.h"
 
 namespace walkcycle {
-namespace {
-
-constexpr std::size_t kNone = std::string_view::npos;
-
-bool startsWith(std::string_view document, std::size_t at, std::string_view start) {
-    return document.substr(at, start.size()) == start;
-}
-
-std::size_t after(std::string_view document, std::size_t at, std::string_view end) {
-    const std::size_t found = document.find(end, at);
-    return found == kNone ? found : found + end.size();
-}
-
-// Just behind a tag's '>', which may stand in an attribute's quotes as well. Counts the quoted values.
-std::size_t afterTag(std::string_view document, std::size_t at, std::size_t& attributes) {
-    attributes = 0;
-    while (at < document.size()) {
-        const char c = document[at++];
-        if (c == '>') return at;
-        if (c != '"' && c != '\'') continue;
-        ++attributes;
-        at = document.find(c, at);
-        if (at == kNone) return at;
-        ++at;
-    }
-    return kNone;
-}
-
-// Just behind the markup that begins at `at`; kNone where it does not end, or is a DOCTYPE, which may hold anything.
-std::size_t afterMarkup(std::string_view document, std::size_t at) {
-    if (startsWith(document, at, "<!--")) return after(document, at + 4, "-->");
-    if (startsWith(document, at, "<![CDATA[")) return after(document, at, "]]>");
-    if (startsWith(document, at, "<?")) return after(document, at, "?>");
-    std::size_t attributes = 0;
-    return startsWith(document, at, "<!") ? kNone : afterTag(document, at, attributes);
-}
-
-}  // namespace
 
 std::optional<std::string> withoutInstructions(std::string_view document) {
+    using Kind = MarkupScanner::Kind;
     const std::size_t declaration = document.find('<');
-    if (declaration == kNone || document.find("<?", declaration + 1) == kNone) return std::nullopt;
+    if (declaration == document.npos || document.find("<?", declaration + 1) == document.npos)
+        return std::nullopt;
     std::string kept;
     std::size_t copied = 0;
-    for (std::size_t at = declaration, end = 0; at != kNone; at = document.find('<', end)) {
-        end = afterMarkup(document, at);
-        if (end == kNone) break;
-        if (at == declaration || !startsWith(document, at, "<?")) continue;
-        kept.append(document, copied, at - copied);
-        kept.append(countLineBreaks(document.substr(at, end - at)), '\n');
-        copied = end;
+    for (MarkupScanner markup(document); markup.next() && markup.end() != MarkupScanner::kNone;) {
+        if (markup.begin() == declaration || markup.kind() != Kind::Instruction) continue;
+        kept.append(document, copied, markup.begin() - copied);
+        kept.append(countLineBreaks(document.substr(markup.begin(), markup.end() - markup.begin())), '\n');
+        copied = markup.end();
     }
     if (copied == 0) return std::nullopt;
     kept.append(document, copied);
@@ -61,16 +24,23 @@ std::optional<std::string> withoutInstructions(std::string_view document) {
 }
 
 std::size_t findCrowdedTag(std::string_view document, std::size_t mostAttributes) {
-    const std::size_t shortest = 5 * mostAttributes;  // ' a=""', so many times
-    for (std::size_t at = document.find('<'); at != kNone;) {
-        const std::size_t next = document.find('<', at + 1);
-        const std::size_t length = (next == kNone ? document.size() : next) - at;
-        std::size_t attributes = 0;
-        if (length > shortest) afterTag(document.substr(0, at + length), at, attributes);
-        if (attributes > mostAttributes) return at;
-        at = next;
+    for (MarkupScanner markup(document); markup.next();) {
+        if (markup.attributes() > mostAttributes) return markup.begin();
+        if (markup.kind() == MarkupScanner::Kind::Declaration) markup.moveTo(markup.begin() + 1);
     }
-    return kNone;
+    return MarkupScanner::kNone;
+}
+
+std::size_t findMarkupBeyond(std::string_view document, std::uint64_t most) {
+    using Kind = MarkupScanner::Kind;
+    std::uint64_t found = 0;
+    for (MarkupScanner markup(document); markup.next();) {
+        const bool counts =
+            markup.kind() != Kind::EndTag && !document.substr(markup.begin()).starts_with("<?xml");
+        if (counts && ++found > most) return markup.begin();
+        if (markup.kind() == Kind::Declaration) markup.moveTo(markup.begin() + 1);
+    }
+    return MarkupScanner::kNone;
 }
 
 }  // namespace walkcycle

@@ -4,6 +4,7 @@
 
 #include "loaders/Dialect.h"
 #include "loaders/EffectReader.h"
+#include "loaders/PicturesAhead.h"
 #include "loaders/Tangents.h"
 #include "loaders/TexCoordBinding.h"
 
@@ -25,19 +26,23 @@ NodesByName bindingsOf(XmlNode instance) {
 }  // namespace
 
 struct MaterialLoader::Impl {
+    Impl(const LoadContext& loadContext, Model& loaded)
+        : context(loadContext), model(loaded), effects(loadContext, loaded, &pictures) {}
+
     const LoadContext& context;
     Model& model;
+    PicturesAhead pictures;
     EffectReader effects;
     std::unordered_map<XmlNode, std::optional<Material>> effectsRead;
     std::unordered_map<XmlNode, int> materials;  // <material> -> Model::materials; -1: cannot be shown
-    std::unordered_map<const ColladaDocument*, NodesByName> materialsByName;
+    std::unordered_map<XmlNode, NodesByName> materialsByName;  // by <COLLADA>
     std::unordered_multimap<XmlNode, int> elements;
 
     int load(XmlNode material);
     int read(XmlNode material);
     int bound(XmlNode binding);
     int guess(XmlNode instance, const MeshPart& part, const MeshData& mesh);
-    XmlNode named(const ColladaDocument& document, std::string_view symbol);
+    XmlNode named(XmlNode collada, std::string_view symbol);
 };
 
 int MaterialLoader::Impl::load(XmlNode material) {
@@ -81,11 +86,11 @@ int MaterialLoader::Impl::bound(XmlNode binding) {
     return -1;
 }
 
-XmlNode MaterialLoader::Impl::named(const ColladaDocument& document, std::string_view symbol) {
-    if (const XmlNode material = document.byId(symbol); material.is("material")) return material;
-    const auto [entry, isNew] = materialsByName.try_emplace(&document);
+XmlNode MaterialLoader::Impl::named(XmlNode collada, std::string_view symbol) {
+    if (const XmlNode material = collada.elementById(symbol); material.is("material")) return material;
+    const auto [entry, isNew] = materialsByName.try_emplace(collada);
     if (isNew)
-        for (XmlNode library : document.root().children("library_materials"))
+        for (XmlNode library : collada.children("library_materials"))
             for (XmlNode known : library.children("material"))
                 entry->second.try_emplace(known.attribute("name"), known);
     const auto found = entry->second.find(symbol);
@@ -96,7 +101,7 @@ XmlNode MaterialLoader::Impl::named(const ColladaDocument& document, std::string
 int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const MeshData& mesh) {
     if (part.materialSymbol.empty()) return -1;
     const bool follows = context.dialects.follows(Quirk::MaterialBySymbol, instance);
-    const XmlNode material = follows ? named(instance.document(), part.materialSymbol) : XmlNode();
+    const XmlNode material = follows ? named(instance.root(), part.materialSymbol) : XmlNode();
     if (!material) {
         context.diagnostics.report(Code::MaterialUnbound, instance, {part.materialSymbol, mesh.id});
         return -1;
@@ -107,8 +112,12 @@ int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const Me
 }
 
 MaterialLoader::MaterialLoader(const LoadContext& context, Model& model)
-    : impl_(new Impl{context, model, {context, model}, {}, {}, {}, {}}) {}
+    : impl_(std::make_unique<Impl>(context, model)) {}
 MaterialLoader::~MaterialLoader() = default;
+
+void MaterialLoader::decodeAhead(XmlNode collada) {
+    impl_->pictures.begin(collada, impl_->context.documents, impl_->context.options);
+}
 
 std::vector<PartMaterial> MaterialLoader::bind(XmlNode instance, const MeshData& mesh) {
     const NodesByName bindings = bindingsOf(instance);

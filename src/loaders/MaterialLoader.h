@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <unordered_map>
+#include <vector>
 
 #include "loaders/LoadContext.h"
+#include "loaders/XmlNode.h"
 #include "model/Model.h"
 
 namespace walkcycle {
@@ -12,6 +15,9 @@ class MaterialLoader {
 public:
     MaterialLoader(const LoadContext& context, Model& model);
     ~MaterialLoader();
+
+    // Begins to decode the pictures that the document's <image>s name, on other threads, while other things are read.
+    void decodeAhead(XmlNode collada);
 
     // One PartMaterial per part of the mesh, from the <bind_material> of an <instance_geometry> or
     // <instance_controller> (which may be missing: parts then look for a material whose id or name is their symbol).

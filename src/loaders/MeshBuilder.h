@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "loaders/GeometryLoader.h"
+#include "loaders/LoadContext.h"
+#include "loaders/LoadedMesh.h"
+#include "loaders/PrimitiveInputs.h"
 #include "loaders/PrimitiveReader.h"
 
 namespace walkcycle {

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "loaders/AssetReader.h"
+#include "loaders/GeometryLoader.h"
 #include "model/SmoothNormals.h"
 
 namespace walkcycle {

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
-#include "loaders/GeometryLoader.h"
 #include "loaders/LoadContext.h"
+#include "loaders/LoadedMesh.h"
+#include "loaders/XmlNode.h"
 #include "model/Model.h"
 
 namespace walkcycle {

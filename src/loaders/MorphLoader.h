@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loaders/GeometryLoader.h"
+#include "loaders/LoadedMesh.h"
 #include "model/MorphTargets.h"
 
 namespace walkcycle {

@@ -93,7 +93,7 @@ void MotionBuilder::bindNode(XmlNode channel, const ChannelTarget& target, int c
 // An <asset> on the <animation> may speak another unit and other axes than the document: what it calls Z moves Y there.
 void MotionBuilder::bindInOwnSpace(XmlNode channel, const TransformElement& element, int joint, int curve,
                                    const CurveBinding& binding) {
-    const XmlNode collada = channel.document().root();
+    const XmlNode collada = channel.root();
     const glm::dmat4 conversion = assetConversion(channel, collada, model_.asset, collada);
     if (element.kind != TransformElement::Kind::Translate || conversion == glm::dmat4(1.0)) {
         jointBindings_.push_back({joint, curve, binding});

@@ -4,9 +4,15 @@
 #include <memory>
 #include <unordered_map>
 
+#include "loaders/AnimationTargets.h"
+#include "loaders/ChannelTarget.h"
+#include "loaders/LoadContext.h"
 #include "loaders/Motion.h"
 #include "loaders/ParameterFinder.h"
 #include "loaders/SamplerReader.h"
+#include "loaders/SceneGraph.h"
+#include "loaders/XmlNode.h"
+#include "model/Model.h"
 
 namespace walkcycle {
 

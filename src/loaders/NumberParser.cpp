@@ -5,29 +5,16 @@
 
 #include "loaders/NumberToken.h"
 #include "loaders/PlainNumber.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
-
-bool isSpace(char c) {
-    return isNumberSpace(c);
-}
-
-std::size_t countWords(std::string_view text) {
-    std::size_t words = 0;
-    bool between = true;
-    for (const char c : text) {
-        words += between && !isSpace(c);
-        between = isSpace(c);
-    }
-    return words;
-}
 
 // About how many words a text has, from a look at some places of it: never more than it could hold.
 std::size_t estimateWords(std::string_view text) {
     constexpr std::size_t kPlaces = 4, kLength = 64;
     if (text.size() <= kPlaces * kLength) return countWords(text);
-    std::size_t words = 0;
+    std::uint64_t words = 0;
     for (std::size_t i = 0; i < kPlaces; ++i)
         words += countWords(text.substr((text.size() - kLength) / (kPlaces - 1) * i, kLength));
     const double share = static_cast<double>(words) / (kPlaces * kLength);
@@ -85,7 +72,7 @@ private:
     // Where a word begins that has seven characters more behind its first; the text's start where there is none.
     std::size_t lastWords() const {
         std::size_t at = text_.size() < 8 ? 0 : text_.size() - 8;
-        while (at > 0 && (isSpace(text_[at]) || !isSpace(text_[at - 1]))) --at;
+        while (at > 0 && (isWhiteSpace(text_[at]) || !isWhiteSpace(text_[at - 1]))) --at;
         return at;
     }
 
@@ -95,7 +82,7 @@ private:
         while (at < stop) {
             std::size_t count = 0;
             for (; count < block_.size(); ++count) {
-                while (isSpace(*at)) ++at;
+                while (isWhiteSpace(*at)) ++at;
                 if (at >= stop) break;
                 at = readWord(at, offset + static_cast<std::size_t>(at - first), count);
             }
@@ -116,7 +103,7 @@ private:
         const char* const word = text_.data() + place;
         const char* const end = text_.data() + text_.size();
         const char* after = word;
-        while (after != end && !isSpace(*after)) ++after;
+        while (after != end && !isWhiteSpace(*after)) ++after;
         const auto length = static_cast<std::size_t>(after - word);
         if (parseToken(word, after, value)) return length;
         value = T{};
@@ -152,13 +139,13 @@ std::string shortened(std::string_view token) {
 std::string_view lastToken(std::string_view text) {
     text = trim(text);
     std::size_t start = text.size();
-    while (start > 0 && !isSpace(text[start - 1])) --start;
+    while (start > 0 && !isWhiteSpace(text[start - 1])) --start;
     return text.substr(start);
 }
 std::string_view firstToken(std::string_view text) {
     text = trim(text);
     std::size_t end = 0;
-    while (end < text.size() && !isSpace(text[end])) ++end;
+    while (end < text.size() && !isWhiteSpace(text[end])) ++end;
     return text.substr(0, end);
 }
 
@@ -211,27 +198,6 @@ bool parseNumber(std::string_view text, std::int32_t& value) {
 }
 bool parseUnsigned(std::string_view text, std::uint64_t& value) {
     return parseOne(text, value);
-}
-
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-    return text;
-}
-
-std::vector<std::string_view> splitWords(std::string_view text) {
-    std::vector<std::string_view> words;
-    for (std::size_t at = 0; at < text.size();) {
-        if (isSpace(text[at])) {
-            ++at;
-            continue;
-        }
-        std::size_t end = at;
-        while (end < text.size() && !isSpace(text[end])) ++end;
-        words.push_back(text.substr(at, end - at));
-        at = end;
-    }
-    return words;
 }
 
 }  // namespace walkcycle

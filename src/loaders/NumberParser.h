@@ -40,8 +40,4 @@ bool parseNumber(std::string_view text, double& value);
 bool parseNumber(std::string_view text, std::int32_t& value);
 bool parseUnsigned(std::string_view text, std::uint64_t& value);  // a count
 
-// The white-space separated words of a Name_array or IDREF_array; views into `text`.
-std::vector<std::string_view> splitWords(std::string_view text);
-std::string_view trim(std::string_view text);
-
 }  // namespace walkcycle

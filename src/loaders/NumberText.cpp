@@ -3,6 +3,8 @@
 #include <cstring>
 
 #include "io/TextScan.h"
+#include "loaders/Markup.h"
+#include "loaders/MarkupScanner.h"
 
 namespace walkcycle {
 namespace {
@@ -17,16 +19,17 @@ int countLines(std::string_view text) {
     return static_cast<int>(countLineBreaks(text));
 }
 
-// Walks the markup; everything between `copied_` and the cut is carried over.
+// Everything between `copied_` and the next text that is cut out is carried over.
 class Cutter {
 public:
     explicit Cutter(std::string_view document) : document_(document) {}
 
     std::optional<CutDocument> cut() {
-        for (std::size_t at = document_.find('<'); at != std::string_view::npos;
-             at = document_.find('<', at)) {
-            at = startsWith(at, "<!") || startsWith(at, "<?") ? afterSpecial(at) : afterTag(at);
-            if (at == std::string_view::npos) return std::nullopt;
+        for (MarkupScanner markup(document_); markup.next();) {
+            if (markup.end() == MarkupScanner::kNone || markup.attributes() > kMostAttributes)
+                return std::nullopt;
+            if (markup.kind() == MarkupScanner::Kind::StartTag)
+                markup.moveTo(afterText(markup.begin(), markup.end()));
         }
         result_.remaining.append(document_.substr(copied_));
         return std::move(result_);
@@ -37,37 +40,12 @@ private:
         return document_.substr(at, start.size()) == start;
     }
 
-    std::size_t after(std::size_t at, std::string_view end) const {
-        const std::size_t found = document_.find(end, at);
-        return found == std::string_view::npos ? found : found + end.size();
-    }
-
-    std::size_t afterSpecial(std::size_t at) const {
-        if (startsWith(at, "<!--")) return after(at + 4, "-->");
-        if (startsWith(at, "<![CDATA[")) return after(at, "]]>");
-        return startsWith(at, "<?") ? after(at, "?>") : std::string_view::npos;
-    }
-
-    // Just behind the tag's '>', which may stand in an attribute's quotes as well.
-    std::size_t endOfTag(std::size_t at) const {
-        while (at < document_.size()) {
-            const char c = document_[at++];
-            if (c == '>') return at;
-            if (c != '"' && c != '\'') continue;
-            at = document_.find(c, at);
-            if (at == std::string_view::npos) return at;
-            ++at;
-        }
-        return std::string_view::npos;
-    }
-
-    std::size_t afterTag(std::size_t at) {
-        const std::size_t end = endOfTag(at);
-        if (end == std::string_view::npos || startsWith(at, "</")) return end;
-        const std::string_view name = nameAt(at + 1);
+    // Just behind the text that was cut out behind the start tag [begin, end); `end` where none was.
+    std::size_t afterText(std::size_t begin, std::size_t end) {
+        const std::string_view name = nameAt(begin + 1);
         if (!holdsNumberText(name)) return end;
         const bool isEmpty = document_[end - 2] == '/';
-        result_.texts.push_back(isEmpty ? std::nullopt : textAt(at, end, name));
+        result_.texts.push_back(isEmpty ? std::nullopt : textAt(begin, end, name));
         return end + (result_.texts.back() ? result_.texts.back()->text.size() : 0);
     }
 

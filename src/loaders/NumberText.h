@@ -14,8 +14,8 @@ struct NumberText {
 };
 
 // Nearly all bytes of a document are numbers, and tinyxml2 walks each of its bytes twice. So the texts of the long lists
-// (<float_array>, <p>, <v>, <vcount>, and of names, <Name_array> and <IDREF_array>) are cut out before it sees the document; of each only its line breaks stay, so
-// that every line number remains right.
+// (<float_array>, <p>, <v>, <vcount>, and of names, <Name_array> and <IDREF_array>) are cut out before it sees the
+// document; of each only its line breaks stay, so that every line number remains right.
 struct CutDocument {
     std::string remaining;
     // One entry per element of those names, in document order: its text, or nothing where the text was left in place
@@ -25,7 +25,8 @@ struct CutDocument {
 
 bool holdsNumberText(std::string_view elementName);
 
-// Nothing where the document has markup that only tinyxml2 should judge (a DOCTYPE, a tag or comment without end).
+// Nothing where the document has markup that must be judged as a whole: a DOCTYPE, a tag or comment without end, a tag
+// with more than kMostAttributes.
 std::optional<CutDocument> cutNumberText(std::string_view document);
 
 }  // namespace walkcycle

@@ -51,14 +51,15 @@ float restOf(const Material& material, int component) {
     return values[static_cast<std::size_t>(component)];
 }
 
-// The <param ref="..."> elements below, level by level.
+// The <param ref="..."> elements below. Every channel looks through its effect, and a file chooses how long both are.
 std::vector<XmlNode> paramsNamed(XmlNode from, std::string_view ref) {
-    std::vector<XmlNode> level{from}, found;
-    for (std::size_t i = 0; i < level.size() && level.size() < 10'000; ++i)
-        for (XmlNode child : level[i].children()) {
-            if (child.is("param") && child.attribute("ref") == ref) found.push_back(child);
-            level.push_back(child);
-        }
+    constexpr int kMostElements = 10'000;
+    std::vector<XmlNode> found;
+    int looked = 0;
+    for (XmlNode element : from.descendants()) {
+        if (++looked > kMostElements) break;
+        if (element.is("param") && element.attribute("ref") == ref) found.push_back(element);
+    }
     return found;
 }
 

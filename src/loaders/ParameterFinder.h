@@ -1,11 +1,16 @@
 #pragma once
 
 #include <map>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "loaders/AnimationLoader.h"
+#include "loaders/AnimationTargets.h"
 #include "loaders/ChannelTarget.h"
+#include "loaders/LoadContext.h"
+#include "loaders/SceneGraph.h"
+#include "loaders/XmlNode.h"
+#include "model/Model.h"
 
 namespace walkcycle {
 

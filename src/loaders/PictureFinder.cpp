@@ -5,11 +5,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "io/ImageDecoder.h"
 #include "io/Uri.h"
 #include "loaders/LimitCheck.h"
 #include "loaders/LoadProgress.h"
-#include "loaders/PicturesAhead.h"
-#include "loaders/Surroundings.h"
+#include "loaders/Spelling.h"
 
 namespace walkcycle {
 namespace fs = std::filesystem;
@@ -207,7 +207,7 @@ bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
 std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const File& file) {
     const LoadLimits& limits = context_.options.limits;
     const auto decoded = context_.options.imagePixels ? decodeImage : measureImage;
-    std::shared_ptr<const Image> image = context_.ahead ? context_.ahead->take(file.path) : nullptr;
+    std::shared_ptr<const Image> image = ahead_ ? ahead_->take(file.path) : nullptr;
     if (!image) image = std::make_shared<const Image>(decoded(file.bytes, limits.image()));
     const auto pixels = static_cast<std::uint64_t>(std::int64_t{image->width} * image->height);
     if (pixels_ + pixels > limits.maxTotalPixels) throw PicturesTooLarge(pixels_ + pixels);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "loaders/LoadContext.h"
+#include "loaders/PicturesAhead.h"
 #include "model/Model.h"
 
 namespace walkcycle {
@@ -16,7 +17,9 @@ namespace walkcycle {
 // guess and says so. Never the network, and nothing outside the document's folder tree unless it is allowed.
 class PictureFinder {
 public:
-    explicit PictureFinder(const LoadContext& context) : context_(context) {}
+    // `ahead` may hold pictures that are decoded already; null: none are.
+    explicit PictureFinder(const LoadContext& context, PicturesAhead* ahead = nullptr)
+        : context_(context), ahead_(ahead) {}
 
     struct Picture {
         std::string path;                    // the file that was found; empty where none was
@@ -48,6 +51,7 @@ private:
     void report(Code code, XmlNode where, const std::string& path, Diagnostics::Arguments arguments);
 
     const LoadContext& context_;
+    PicturesAhead* ahead_;
     std::map<std::pair<std::string, std::string>, Picture> pictures_;  // by document and URI
     std::map<std::string, std::shared_ptr<const Image>> images_;       // by path
     int guesses_ = 0;

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "io/File.h"
+#include "io/ImageDecoder.h"
 #include "io/Uri.h"
-#include "loaders/ColladaDocument.h"
 
 namespace walkcycle {
 namespace {

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "io/Image.h"
+#include "loaders/DocumentSet.h"
 #include "loaders/LoadOptions.h"
 #include "loaders/XmlNode.h"
 
 namespace walkcycle {
-
-class DocumentSet;
 
 // Decodes a document's pictures on other threads while its meshes are read. It says nothing of what goes wrong: whoever
 // needs a picture that could not be decoded here does so himself, and reports what there is to report.

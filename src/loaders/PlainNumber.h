@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "loaders/Words.h"
+
 namespace walkcycle {
 
 // The numbers that exporters write, in one pass over their characters; what is unusual in any way (very many digits, a
@@ -22,11 +24,6 @@ inline constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e
 
 inline bool isDigit(char c) {
     return static_cast<unsigned char>(c - '0') < 10;
-}
-
-// Every control character counts as white space: exporters have written all of them.
-inline bool isNumberSpace(char c) {
-    return static_cast<unsigned char>(c) <= ' ';
 }
 
 inline constexpr bool kFirstByteIsLowest = std::endian::native == std::endian::little;
@@ -72,7 +69,7 @@ inline const char* readPlain(const char* at, std::int32_t& value) {
     std::uint32_t number = static_cast<unsigned char>(*at - '0');
     if (number >= 10) return nullptr;
     for (++at; isDigit(*at); ++at) number = number * 10 + static_cast<std::uint32_t>(*at - '0');
-    if (at - first > 9 || !isNumberSpace(*at)) return nullptr;
+    if (at - first > 9 || !isWhiteSpace(*at)) return nullptr;
     value = negative ? -static_cast<std::int32_t>(number) : static_cast<std::int32_t>(number);
     return at;
 }
@@ -117,7 +114,7 @@ inline const char* readExponent(const char* at, std::ptrdiff_t& exponent) {
     const unsigned count = readUpToEightDigits(at, number);
     at += count;
     exponent = negative ? -static_cast<std::ptrdiff_t>(number) : static_cast<std::ptrdiff_t>(number);
-    return count == 0 || count > 4 || !isNumberSpace(*at) ? nullptr : at;
+    return count == 0 || count > 4 || !isWhiteSpace(*at) ? nullptr : at;
 }
 
 // The double nearest to a number over or times a power of ten. With at most 53 bits, and a power that a double holds
@@ -148,7 +145,7 @@ inline const char* readNearby(const char* at, std::uint64_t most, double& value)
     PlainDigits digits;
     at = readDigits(at + sign, digits);
     if (!at || (digits.isLong && digits.number > most)) return nullptr;
-    if (isNumberSpace(*at)) {
+    if (isWhiteSpace(*at)) {
         value = overPower(digits.number, digits.behindPoint);
     } else {
         if (*at != 'e' && *at != 'E') return nullptr;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "loaders/Inputs.h"
+
 namespace walkcycle {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -47,7 +48,7 @@ CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::siz
     const std::size_t size = kind == Kind::Linestrips ? 2 : 3, stride = primitive.inputs.stride;
     for (XmlNode p : primitive.element.children("p")) {
         std::string joined;
-        const std::size_t held = splitWords(p.rawText(joined)).size() / stride;
+        const std::size_t held = countWords(p.rawText(joined)) / stride;
         const std::size_t cut = held < size ? 0 : (held - size + 1) * size;
         if (corner < cut) return {p, p.lineOfWord(cornerBeforeCut(kind, corner) * stride + offset)};
         corner -= cut;
@@ -77,7 +78,10 @@ public:
             case Kind::Polylist:
                 readPolylist();
                 break;
-            default:
+            case Kind::Polygons:
+            case Kind::Trifans:
+            case Kind::Tristrips:
+            case Kind::Linestrips:
                 readLists();
                 break;
         }
@@ -278,7 +282,7 @@ CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, st
     CornerPlace place{primitive.element, primitive.element.line()};
     const auto lookIn = [&](XmlNode p) {
         std::string joined;
-        const std::size_t numbers = splitWords(p.rawText(joined)).size();
+        const std::size_t numbers = countWords(p.rawText(joined));
         if (number < numbers) place = {p, p.lineOfWord(number)};
         const bool found = number < numbers;
         number -= std::min(number, numbers);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "loaders/Dialect.h"
+#include "loaders/Inputs.h"
 #include "loaders/Source.h"
 
 namespace walkcycle {
@@ -53,7 +54,7 @@ Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const c
 XmlNode ownSource(XmlNode input) {
     std::string_view id = input.attribute("source");
     if (id.starts_with('#')) id.remove_prefix(1);
-    const XmlNode source = input.document().byId(id);
+    const XmlNode source = input.elementById(id);
     return source.is("source") ? source : XmlNode();
 }
 

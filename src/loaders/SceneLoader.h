@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loaders/AnimationLoader.h"
+#include "loaders/AnimationTargets.h"
 #include "loaders/LoadContext.h"
 #include "loaders/SceneGraph.h"
 #include "model/Model.h"

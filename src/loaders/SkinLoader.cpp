@@ -8,8 +8,10 @@
 
 #include "animation/RowMajor.h"
 #include "loaders/Dialect.h"
+#include "loaders/Inputs.h"
 #include "loaders/NumberParser.h"
 #include "loaders/WeightsReader.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {

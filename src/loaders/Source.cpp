@@ -4,11 +4,10 @@
 #include <optional>
 #include <unordered_set>
 
-#include "loaders/ColladaDocument.h"
-#include "loaders/Diagnostics.h"
 #include "loaders/Dialect.h"
 #include "loaders/NumberParser.h"
 #include "loaders/SpacedNames.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -183,7 +182,7 @@ std::vector<std::string> readNames(XmlNode array, Dialects& dialects) {
     const bool hasMore =
         array.is("Name_array") && parseUnsigned(array.attribute("count"), count) && count < words.size();
     if (hasMore && dialects.follows(Quirk::SpacedNames, array))
-        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.document().root())) {
+        if (auto names = joinSpacedNames(words, static_cast<std::size_t>(count), array.root())) {
             dialects.note(Quirk::SpacedNames, array);
             return std::move(*names);
         }

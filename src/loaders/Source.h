@@ -1,20 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "loaders/Diagnostics.h"
+#include "loaders/DocumentSet.h"
 #include "loaders/NumberParser.h"
 #include "loaders/XmlNode.h"
 #include "model/Diagnostic.h"
 
 namespace walkcycle {
 
-class Diagnostics;
 class Dialects;
-class DocumentSet;
 
 // What to do about a number that cannot be used: positions, weights and matrices are nothing without it (Error), the
 // rest can be shown (Warning). It becomes 0 either way, so that nothing that is not finite is ever passed on.
@@ -64,23 +64,6 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-// An <input> of a <mesh>'s primitive, <vertices>, <joints>, <vertex_weights>, <targets> or <sampler>.
-struct Input {
-    std::string semantic;
-    int offset = 0;
-    int set = 0;
-    bool hasSet = false;
-    XmlNode element;
-    XmlNode source;  // where it leads; nothing where it leads nowhere (already reported as an error)
-};
-
-// Reports an <input> without a semantic, and one that is none of the known (words between spaces): programs may have
-// words of their own, so that is an error of the file only where it looks like a slip.
-void checkSemantic(XmlNode input, std::string_view known, Diagnostics& diagnostics);
-
-// All <input>s of an element, references followed (and reported as an error where they lead nowhere).
-std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostics& diagnostics);
 
 // The numbers of an element's text: a <matrix>, <p>, <vcount>, <v> ... Faults are reported with their own line.
 std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers);

@@ -8,20 +8,19 @@ namespace {
 
 constexpr std::size_t kMostWordsOfAName = 12;
 
-// All that nodes are called. A walk with a stack of our own, since the depth is the file's choice.
+bool mayHoldNodes(XmlNode element) {
+    return element.is("library_visual_scenes") || element.is("library_nodes") || element.is("visual_scene") ||
+           element.is("node");
+}
+
+// All that nodes are called.
 std::unordered_set<std::string> namesOfNodes(XmlNode collada) {
     std::unordered_set<std::string> names;
-    std::vector<XmlNode> waiting{collada};
-    while (!waiting.empty()) {
-        const XmlNode parent = waiting.back();
-        waiting.pop_back();
-        for (XmlNode element : parent.children()) {
-            if (element.is("library_visual_scenes") || element.is("library_nodes") ||
-                element.is("visual_scene") || element.is("node"))
-                waiting.push_back(element);
-            if (!element.is("node")) continue;
-            for (const char* attribute : {"sid", "name", "id"}) names.emplace(element.attribute(attribute));
-        }
+    const XmlNode::Descendants elements = collada.descendants();
+    for (auto element = elements.begin(); element != elements.end(); ++element) {
+        if (!mayHoldNodes(*element)) element.skipChildren();
+        if (!element->is("node")) continue;
+        for (const char* attribute : {"sid", "name", "id"}) names.emplace(element->attribute(attribute));
     }
     return names;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -51,6 +51,15 @@ std::string_view nearest(std::string_view word, std::string_view known) {
 std::string didYouMean(std::string_view word, std::string_view known) {
     const std::string_view meant = nearest(word, known);
     return meant.empty() ? std::string() : "; perhaps '" + std::string(meant) + "' is meant";
+}
+
+std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name) {
+    const auto same = [&](const std::string& other) {
+        return std::equal(other.begin(), other.end(), name.begin(), name.end(),
+                          [](char a, char b) { return lowerCase(a) == lowerCase(b); });
+    };
+    const auto found = std::find_if(names.begin(), names.end(), same);
+    return found == names.end() ? std::string() : *found;
 }
 
 }  // namespace walkcycle

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace walkcycle {
 
@@ -11,5 +12,8 @@ std::string_view nearest(std::string_view word, std::string_view known);
 
 // The end of a message about an unknown word: "; perhaps 'NORMAL' is meant", or nothing.
 std::string didYouMean(std::string_view word, std::string_view known);
+
+// The one of `names` that differs from `name` in case alone (Windows and macOS do not tell them apart); empty if none.
+std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name);
 
 }  // namespace walkcycle

@@ -8,8 +8,6 @@
 #include <dirent.h>
 #include <sys/stat.h>
 
-#include "loaders/Diagnostics.h"
-
 namespace walkcycle {
 namespace fs = std::filesystem;
 namespace {
@@ -43,10 +41,6 @@ std::vector<std::string> namesIn(const fs::path& folder) {
             names.emplace_back(entry->d_name);
     }
     return names;
-}
-
-char lowerCase(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
 }
 
 }  // namespace
@@ -128,15 +122,6 @@ const std::vector<std::string>& Surroundings::list(const fs::path& folder) {
     }
     std::sort(names.begin(), names.end());  // the order of a folder is not the same on every machine
     return names;
-}
-
-std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name) {
-    const auto same = [&](const std::string& other) {
-        return std::equal(other.begin(), other.end(), name.begin(), name.end(),
-                          [](char a, char b) { return lowerCase(a) == lowerCase(b); });
-    };
-    const auto found = std::find_if(names.begin(), names.end(), same);
-    return found == names.end() ? std::string() : *found;
 }
 
 }  // namespace walkcycle

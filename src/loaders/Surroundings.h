@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "io/Archive.h"
+#include "loaders/Diagnostics.h"
 #include "loaders/LoadOptions.h"
 #include "loaders/XmlNode.h"
 
 namespace walkcycle {
-
-class Diagnostics;
 
 // The files around a document: the members of its archive, what the caller's resolver gives, or its folder on disk.
 // Nothing outside the document's folder tree is opened unless LoadOptions::allowedPaths has it.
@@ -51,8 +50,5 @@ private:
     std::optional<std::filesystem::path>
         root_;  // canonical; none: a document in memory, with no files around it
 };
-
-// The one of `names` that differs from `name` in case alone (Windows and macOS do not tell them apart); empty if none.
-std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name);
 
 }  // namespace walkcycle

@@ -162,12 +162,13 @@ XmlNode TextureReader::imageOfSurface(XmlNode surface, XmlNode texture, const Ef
 // IDREF cannot say so.
 XmlNode TextureReader::imageNamed(XmlNode from, const std::string& name) {
     if (name.empty()) return {};
-    const ColladaDocument& document = from.document();
-    if (const XmlNode image = document.byId(name.front() == '#' ? name.substr(1) : name); image.is("image"))
+    const XmlNode collada = from.root();
+    if (const XmlNode image = collada.elementById(name.front() == '#' ? name.substr(1) : name);
+        image.is("image"))
         return image;
-    const auto [entry, isNew] = imagesByName_.try_emplace(&document);
+    const auto [entry, isNew] = imagesByName_.try_emplace(collada);
     if (isNew)
-        for (XmlNode library : document.root().children("library_images"))
+        for (XmlNode library : collada.children("library_images"))
             for (XmlNode image : library.children("image"))
                 entry->second.try_emplace(image.attribute("name"), image);
     const auto found = entry->second.find(name);

@@ -7,6 +7,7 @@
 #include "loaders/EffectParameters.h"
 #include "loaders/LoadContext.h"
 #include "loaders/PictureFinder.h"
+#include "loaders/PicturesAhead.h"
 #include "model/Model.h"
 
 namespace walkcycle {
@@ -15,8 +16,8 @@ namespace walkcycle {
 // image itself; the quirk texture-names-image lets the <texture> do so.
 class TextureReader {
 public:
-    TextureReader(const LoadContext& context, Model& model)
-        : context_(context), model_(model), pictures_(context) {}
+    TextureReader(const LoadContext& context, Model& model, PicturesAhead* ahead)
+        : context_(context), model_(model), pictures_(context, ahead) {}
 
     // An index into Model::textures (its picture may be missing); -1 where the way ends before an <image>, reported.
     int read(XmlNode texture, const EffectParameters& parameters, Slot slot);
@@ -37,7 +38,7 @@ private:
     Model& model_;
     PictureFinder pictures_;
     std::map<int, int> normals_;
-    std::unordered_map<const ColladaDocument*, std::unordered_map<std::string_view, XmlNode>> imagesByName_;
+    std::unordered_map<XmlNode, std::unordered_map<std::string_view, XmlNode>> imagesByName_;  // by <COLLADA>
     std::map<std::tuple<const void*, const void*, bool>, int>
         indices_;  // by image, sampler, and whether the user chose
 };

@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "animation/RowMajor.h"
-#include "loaders/Diagnostics.h"
 #include "loaders/Source.h"
 
 namespace walkcycle {
@@ -118,7 +117,7 @@ bool isDegenerate(const TransformElement& e) {
         case Kind::Matrix:
         case Kind::Translate:
         case Kind::Scale:
-            break;
+            return false;
     }
     return false;
 }

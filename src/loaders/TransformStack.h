@@ -6,11 +6,10 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "loaders/Diagnostics.h"
 #include "loaders/XmlNode.h"
 
 namespace walkcycle {
-
-class Diagnostics;
 
 // One of the six transform elements of a <node> (COLLADA 1.4.1, chapter 5), with its numbers as in the file.
 struct TransformElement {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "loaders/Inputs.h"
 #include "loaders/NumberParser.h"
 
 namespace walkcycle {

@@ -6,10 +6,8 @@
 #include <tinyxml2.h>
 
 #include "io/TextScan.h"
-#include "loaders/ColladaDocument.h"
-#include "loaders/Diagnostics.h"
-#include "loaders/NumberParser.h"
 #include "loaders/NumberText.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
@@ -60,7 +58,7 @@ const NumberText* cutText(const tinyxml2::XMLElement* element) {
 
 std::string_view XmlNode::name() const {
     if (!element_) return {};
-    return document_->hasPrefixes() ? localName(element_->Name()) : element_->Name();
+    return tree_->hasPrefixes ? localName(element_->Name()) : element_->Name();
 }
 
 bool XmlNode::is(std::string_view elementName) const {
@@ -76,19 +74,29 @@ std::string_view XmlNode::attribute(const char* attributeName) const {
     return value ? std::string_view(value) : std::string_view();
 }
 
+XmlNode XmlNode::root() const {
+    return element_ ? XmlNode(element_->GetDocument()->RootElement(), tree_) : XmlNode();
+}
+
+XmlNode XmlNode::elementById(std::string_view id) const {
+    if (!tree_) return {};
+    const auto found = tree_->byId.find(id);
+    return found == tree_->byId.end() ? XmlNode() : XmlNode(found->second, tree_);
+}
+
 XmlNode XmlNode::parent() const {
     const tinyxml2::XMLNode* up = element_ ? element_->Parent() : nullptr;
-    return up && up->ToElement() ? XmlNode(up->ToElement(), document_) : XmlNode();
+    return up && up->ToElement() ? XmlNode(up->ToElement(), tree_) : XmlNode();
 }
 
 XmlNode XmlNode::firstChild() const {
     const tinyxml2::XMLElement* found = element_ ? element_->FirstChildElement() : nullptr;
-    return found ? XmlNode(found, document_) : XmlNode();
+    return found ? XmlNode(found, tree_) : XmlNode();
 }
 
 XmlNode XmlNode::nextSibling() const {
     const tinyxml2::XMLElement* found = element_ ? element_->NextSiblingElement() : nullptr;
-    return found ? XmlNode(found, document_) : XmlNode();
+    return found ? XmlNode(found, tree_) : XmlNode();
 }
 
 XmlNode XmlNode::child(std::string_view elementName) const {
@@ -104,6 +112,23 @@ XmlNode XmlNode::nextSibling(std::string_view elementName) const {
 
 XmlNode::Range XmlNode::children(std::string_view elementName) const {
     return {elementName.empty() ? firstChild() : child(elementName), elementName};
+}
+
+XmlNode::Descendants XmlNode::descendants() const {
+    return Descendants(firstChild());
+}
+
+// By tinyxml2's own pointers: several walks go over every element of a document.
+XmlNode::Descendants::Iterator& XmlNode::Descendants::Iterator::operator++() {
+    const tinyxml2::XMLElement* next = entersChildren_ ? node_.element_->FirstChildElement() : nullptr;
+    if (next) ++depth_;
+    entersChildren_ = true;
+    for (const tinyxml2::XMLNode* from = node_.element_; !next; from = from->Parent()) {
+        next = from->NextSiblingElement();
+        if (!next && --depth_ == 0) break;
+    }
+    node_ = next ? XmlNode(next, node_.tree_) : XmlNode();
+    return *this;
 }
 
 std::string_view XmlNode::rawText(std::string& joined) const {
@@ -144,14 +169,8 @@ int XmlNode::textLine(std::size_t offset) const {
 
 int XmlNode::lineOfWord(std::size_t n) const {
     std::string joined;
-    const std::string_view text = rawText(joined);
-    bool between = true;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const bool space = static_cast<unsigned char>(text[at]) <= ' ';
-        if (between && !space && n-- == 0) return textLine(at);
-        between = space;
-    }
-    return line();
+    const std::size_t start = startOfWord(rawText(joined), n);
+    return start == std::string_view::npos ? line() : textLine(start);
 }
 
 std::string XmlNode::text() const {
@@ -187,7 +206,11 @@ std::string XmlNode::path() const {
 
 const std::string& XmlNode::file() const {
     static const std::string kNone;
-    return document_ ? document_->file() : kNone;
+    return tree_ ? tree_->file : kNone;
+}
+
+XmlNode::operator FileLocation() const {
+    return {file(), line(), path(), std::string(name())};
 }
 
 }  // namespace walkcycle

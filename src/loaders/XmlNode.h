@@ -1,18 +1,16 @@
 #pragma once
 
-#include <iterator>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace tinyxml2 {
-class XMLElement;
-}
+#include "loaders/FileLocation.h"
+#include "loaders/XmlTree.h"
 
 namespace walkcycle {
-
-class ColladaDocument;
 
 // An element of the document, or nothing: a missing child is an XmlNode that is false, and asking it for more gives
 // more nothing, so that a path of optional children needs no checks on the way.
@@ -20,8 +18,7 @@ class ColladaDocument;
 class XmlNode {
 public:
     XmlNode() = default;
-    XmlNode(const tinyxml2::XMLElement* element, const ColladaDocument* document)
-        : element_(element), document_(document) {}
+    XmlNode(const tinyxml2::XMLElement* element, const XmlTree* tree) : element_(element), tree_(tree) {}
 
     explicit operator bool() const { return element_ != nullptr; }
     bool operator==(const XmlNode& other) const { return element_ == other.element_; }
@@ -33,6 +30,8 @@ public:
     std::string_view id() const { return attribute("id"); }
     std::string_view sid() const { return attribute("sid"); }
 
+    XmlNode root() const;                            // of the node's own document
+    XmlNode elementById(std::string_view id) const;  // in the node's own document
     XmlNode parent() const;
     XmlNode child(std::string_view elementName) const;  // the first of that name
     XmlNode firstChild() const;                         // of any name
@@ -42,6 +41,11 @@ public:
     // for (XmlNode input : mesh.children("input")); an empty name means every child.
     class Range;
     Range children(std::string_view elementName = {}) const;
+
+    // for (XmlNode element : collada.descendants()): every element below this one, in document order, each before its own
+    // children. Nothing recurses: how deep a tree is, is the file's choice.
+    class Descendants;
+    Descendants descendants() const;
 
     // The element's text without white space at its ends. A comment within it is as if it were not there.
     std::string text() const;
@@ -59,12 +63,12 @@ public:
     int commentLine() const;   // of the first comment beside the element's children; 0: there is none
     std::string path() const;  // "COLLADA/library_geometries/geometry[id=body]/mesh"
     const std::string& file() const;
-    const ColladaDocument& document() const { return *document_; }
+    operator FileLocation() const;  // NOLINT: messages say where an element stands
     const tinyxml2::XMLElement* element() const { return element_; }
 
 private:
     const tinyxml2::XMLElement* element_ = nullptr;
-    const ColladaDocument* document_ = nullptr;
+    const XmlTree* tree_ = nullptr;
 };
 
 class XmlNode::Range {
@@ -92,6 +96,34 @@ public:
 private:
     XmlNode first_;
     std::string_view name_;
+};
+
+class XmlNode::Descendants {
+public:
+    class Iterator {
+    public:
+        using value_type = XmlNode;
+        using difference_type = std::ptrdiff_t;
+        explicit Iterator(XmlNode first) : node_(first) {}
+        XmlNode operator*() const { return node_; }
+        const XmlNode* operator->() const { return &node_; }
+        Iterator& operator++();
+        bool operator!=(const Iterator& other) const { return !(node_ == other.node_); }
+
+        int depth() const { return depth_; }              // 1 for children, 2 for their children
+        void skipChildren() { entersChildren_ = false; }  // of the element that the iterator stands at
+
+    private:
+        XmlNode node_;
+        int depth_ = 1;
+        bool entersChildren_ = true;
+    };
+    explicit Descendants(XmlNode first) : first_(first) {}
+    Iterator begin() const { return Iterator(first_); }
+    Iterator end() const { return Iterator({}); }
+
+private:
+    XmlNode first_;
 };
 
 }  // namespace walkcycle

@@ -122,7 +122,7 @@ void checkMorphs(const Subject& subject) {
     for (const MorphTargets& morph : subject.model().morphs) {
         std::size_t attributes = 0;
         for (const MorphTarget& target : morph.targets) attributes += target.normalDeltas.empty() ? 1 : 2;
-        const XmlNode controller = subject.collada().document().byId(morph.id);
+        const XmlNode controller = subject.collada().elementById(morph.id);
         if (attributes > kMorphedAttributes && controller.child("morph"))
             subject.report(Code::GltfMorphTargets, controller.child("morph"),
                            {std::to_string(morph.targets.size()), std::to_string(attributes)});

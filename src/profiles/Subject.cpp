@@ -6,23 +6,15 @@
 
 #include "animation/RowMajor.h"
 #include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {
 
-// Every element below and including the root, in document order, without recursion: the depth is the file's.
+// The root and every element below it, in document order.
 std::vector<XmlNode> inDocumentOrder(XmlNode root) {
-    std::vector<XmlNode> all;
-    XmlNode node = root;
-    while (node) {
-        all.push_back(node);
-        XmlNode next = node.firstChild();
-        while (!next && node && !(node == root)) {
-            next = node.nextSibling();
-            if (!next) node = node.parent();
-        }
-        node = next;
-    }
+    std::vector<XmlNode> all{root};
+    for (XmlNode element : root.descendants()) all.push_back(element);
     return all;
 }
 
@@ -72,7 +64,7 @@ XmlNode Subject::follow(XmlNode from, const char* attribute) const {
     if (!from) return {};
     const std::string uri = *attribute ? std::string(from.attribute(attribute)) : from.text();
     const std::size_t hash = uri.find('#');
-    if (hash == std::string::npos) return from.document().byId(uri);
+    if (hash == std::string::npos) return from.elementById(uri);
     // References to other documents are not followed: none of the profiles' programs reads them.
     return hash == 0 ? inspection_.context.documents.resolve(from, uri) : XmlNode();
 }

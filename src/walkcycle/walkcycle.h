@@ -9,6 +9,7 @@
 #include "animation/CrowdPoser.h"
 #include "io/File.h"
 #include "io/Image.h"
+#include "io/ImageWriter.h"
 #include "loaders/ColladaLoader.h"
 #include "model/BorrowedClips.h"
 #include "model/Bounds.h"

@@ -2,7 +2,7 @@
 #include <new>
 
 #include "allocation/FailingAllocation.h"
-#include "io/Image.h"
+#include "io/ImageWriter.h"
 #include "loaders/AnimationText.h"
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"

@@ -3,7 +3,7 @@
 
 #include "app/Faults.h"
 #include "app/SmallDocuments.h"
-#include "io/Image.h"
+#include "io/ImageDecoder.h"
 
 namespace walkcycle {
 namespace {

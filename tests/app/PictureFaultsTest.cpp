@@ -4,7 +4,7 @@
 
 #include "app/Faults.h"
 #include "app/SmallDocuments.h"
-#include "io/Image.h"
+#include "io/ImageWriter.h"
 
 namespace walkcycle {
 namespace {

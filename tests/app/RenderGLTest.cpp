@@ -3,7 +3,7 @@
 
 #include "app/RunProgram.h"
 #include "app/SmallDocuments.h"
-#include "io/Image.h"
+#include "io/ImageDecoder.h"
 #include "io/TestFolder.h"
 
 namespace walkcycle {

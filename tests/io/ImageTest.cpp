@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "io/Image.h"
+#include "io/ImageDecoder.h"
+#include "io/ImageWriter.h"
 #include "io/TestFolder.h"
 
 namespace walkcycle {

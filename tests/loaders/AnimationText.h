@@ -4,7 +4,7 @@
 
 #include "animation/Animator.h"
 #include "loaders/LoadText.h"
-#include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 

@@ -151,7 +151,7 @@ TEST(DocumentSetTest, aDocumentOnDiskIsFoundInAnotherCaseAndStaysOneDocument) {
     const XmlNode leg = documents.resolve(from, "Parts/legs.DAE#leg");
     ASSERT_TRUE(leg);
     EXPECT_EQ(documents.resolve(from, "Parts/Legs.dae#leg"), leg);
-    EXPECT_EQ(documents.resolve(from, "Walker.DAE#a"), from.document().byId("a"));
+    EXPECT_EQ(documents.resolve(from, "Walker.DAE#a"), from.elementById("a"));
     EXPECT_THAT(diagnostics.all(), IsEmpty());
 }
 

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "io/ImageWriter.h"
 #include "loaders/EffectReader.h"
 #include "loaders/PaintedText.h"
 #include "loaders/TestFiles.h"

@@ -7,7 +7,7 @@
 #include "LoadText.h"
 #include "PaintedText.h"
 #include "TestFiles.h"
-#include "io/Image.h"
+#include "io/ImageWriter.h"
 
 namespace walkcycle {
 namespace {

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "animation/Animator.h"
-#include "loaders/NumberParser.h"
+#include "loaders/Words.h"
 #include "model/CpuSkinning.h"
 
 namespace walkcycle {

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 
-#include "loaders/ColladaDocument.h"
 #include "loaders/ColladaLoader.h"
 #include "loaders/Dialect.h"
+#include "loaders/DocumentSet.h"
 #include "loaders/LoadContext.h"
 
 // Small documents as text, and what loading them says: what the tests of this folder share.
@@ -79,7 +79,7 @@ public:
     LoadContext context{options, diagnostics, documents, sources, dialects};
     XmlNode collada;
 
-    XmlNode byId(std::string_view id) const { return collada.document().byId(id); }
+    XmlNode byId(std::string_view id) const { return collada.elementById(id); }
 };
 
 // Where an instance's positions stand at a time of the document, in metres and Y up unless the load converted nothing.

@@ -39,5 +39,24 @@ TEST(MarkupTest, anElementOfTenThousandAttributesIsRefusedInItsLine) {
     EXPECT_EQ(reason.line, lineOf(text, "<node"));
 }
 
+// tinyxml2 takes a '<' within quotes, which must not make one crowded tag look like many.
+TEST(MarkupTest, anElementOfTenThousandAttributesCannotHideBehindTheirValues) {
+    std::string node = "<node";
+    for (int i = 0; i < 10'000; ++i) node += " a" + std::to_string(i) + "='<'";
+    const std::string text = collada(scene("\n" + node + "/>"));
+    EXPECT_EQ(whyNot(text).line, lineOf(text, "<node"));
+    EXPECT_EQ(whyNot("<!DOCTYPE COLLADA>" + text).line, lineOf(text, "<node"));
+}
+
+TEST(MarkupTest, theFirstElementThatIsTooManyIsFound) {
+    const std::string text = "<?xml version='1.0'?><a><!-- <b/> --><c d='<e/>'/></a><f/>";
+    EXPECT_EQ(findMarkupBeyond(text, 0), text.find("<a>"));
+    EXPECT_EQ(findMarkupBeyond(text, 1), text.find("<!--"));
+    EXPECT_EQ(findMarkupBeyond(text, 2), text.find("<c"));
+    EXPECT_EQ(findMarkupBeyond(text, 3), text.find("<f"));
+    EXPECT_EQ(findMarkupBeyond(text, 4), std::string::npos);
+    EXPECT_EQ(findMarkupBeyond("<!DOCTYPE a [<!ELEMENT a ANY>]><a/><b/>", 3), 35u);
+}
+
 }  // namespace
 }  // namespace walkcycle

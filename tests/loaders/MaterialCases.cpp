@@ -1,5 +1,5 @@
 #include "CodeCases.h"
-#include "io/Image.h"
+#include "io/ImageWriter.h"
 
 namespace walkcycle {
 namespace {

@@ -106,7 +106,7 @@ TEST_F(MaterialLoaderTest, theUsersPictureStandsForEveryDiffuseOne) {
 TEST_F(MaterialLoaderTest, animationsFindMaterialsByTheirElements) {
     const PartMaterial bound = file.boundAt("both");
 
-    const auto found = file.loader.elements().find(file.root.document().byId("chain-fx"));
+    const auto found = file.loader.elements().find(file.root.elementById("chain-fx"));
     ASSERT_NE(found, file.loader.elements().end());
     EXPECT_EQ(found->second, bound.material);
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "loaders/ColladaDocument.h"
 #include "loaders/Diagnostics.h"
 #include "loaders/Dialect.h"
+#include "loaders/DocumentSet.h"
 #include "loaders/MaterialLoader.h"
 
 namespace walkcycle {
@@ -39,7 +39,7 @@ struct MaterialsOf {
 
     // What a node's instance binds to the symbol "symbol".
     PartMaterial boundAt(const std::string& node) {
-        const XmlNode instance = root.document().byId(node).child("instance_geometry");
+        const XmlNode instance = root.elementById(node).child("instance_geometry");
         return loader.bind(instance, meshAsking("symbol")).at(0);
     }
 

@@ -302,12 +302,6 @@ TEST(NumberParserTest, aLocaleWithDecimalCommasChangesNothing) {
         GTEST_SKIP() << "no German locale is installed; the parser was asked under the default one";
 }
 
-TEST(NumberParserTest, wordsAreSplitAtWhiteSpaceOnly) {
-    EXPECT_THAT(splitWords(" hip\tknee.L\r\nBip01-Spine "), ElementsAre("hip", "knee.L", "Bip01-Spine"));
-    EXPECT_THAT(splitWords(" \n"), SizeIs(0));
-    EXPECT_EQ(trim("\n a b \t"), "a b");
-}
-
 std::string aroundTheFirstFault(std::string_view text) {
     std::vector<double> values;
     std::vector<NumberFault> faults;

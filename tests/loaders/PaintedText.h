@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/Image.h"
+#include "io/ImageWriter.h"
 #include "loaders/LoadText.h"
 
 namespace walkcycle {

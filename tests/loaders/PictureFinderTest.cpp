@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "io/ImageWriter.h"
 #include "loaders/MaterialsOf.h"
 #include "loaders/PictureFinder.h"
 

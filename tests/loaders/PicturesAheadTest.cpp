@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "TestFiles.h"
+#include "io/ImageWriter.h"
 #include "loaders/PaintedText.h"
 
 namespace walkcycle {

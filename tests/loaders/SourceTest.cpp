@@ -1,6 +1,7 @@
 #include "LoadText.h"
-#include "loaders/NumberParser.h"
+#include "loaders/Inputs.h"
 #include "loaders/Source.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "loaders/LoadText.h"
-#include "loaders/NumberParser.h"
 #include "loaders/SpacedNames.h"
+#include "loaders/Words.h"
 
 namespace walkcycle {
 namespace {

@@ -26,5 +26,11 @@ TEST(SpellingTest, asksOnlyWhereThereIsSomethingToAsk) {
     EXPECT_EQ(didYouMean("SHININESS", "NORMAL TEXCOORD"), "");
 }
 
+TEST(SpellingTest, aNameMayDifferInCaseAlone) {
+    EXPECT_EQ(inAnotherCase({"a.png", "Skin.PNG"}, "skin.png"), "Skin.PNG");
+    EXPECT_EQ(inAnotherCase({"skin2.png"}, "skin.png"), "");
+    EXPECT_EQ(inAnotherCase({}, "skin.png"), "");
+}
+
 }  // namespace
 }  // namespace walkcycle

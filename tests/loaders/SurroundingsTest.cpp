@@ -112,11 +112,5 @@ TEST(SurroundingsTest, membersOfAnArchiveAreItsFilesFolderByFolder) {
     EXPECT_THAT(surroundings.list("maps"), ElementsAre("a.png"));
 }
 
-TEST(SurroundingsTest, aNameMayDifferInCaseAlone) {
-    EXPECT_EQ(inAnotherCase({"a.png", "Skin.PNG"}, "skin.png"), "Skin.PNG");
-    EXPECT_EQ(inAnotherCase({"skin2.png"}, "skin.png"), "");
-    EXPECT_EQ(inAnotherCase({}, "skin.png"), "");
-}
-
 }  // namespace
 }  // namespace walkcycle

@@ -5,6 +5,7 @@ namespace walkcycle {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 TEST(XmlNodeTest, aMissingElementGivesMoreNothing) {
     TestLoad load("<COLLADA/>");
@@ -28,6 +29,41 @@ TEST(XmlNodeTest, childrenComeInDocumentOrderByNameOrAll) {
     for (XmlNode node : load.collada.children()) all.emplace_back(node.attribute("n"));
     EXPECT_THAT(named, ElementsAre("1", "3"));
     EXPECT_THAT(all, ElementsAre("1", "2", "3"));
+}
+
+std::vector<std::string> namesBelow(XmlNode node) {
+    std::vector<std::string> names;
+    for (XmlNode element : node.descendants()) names.emplace_back(element.name());
+    return names;
+}
+
+TEST(XmlNodeTest, descendantsComeInDocumentOrderEachBeforeItsChildren) {
+    TestLoad load("<COLLADA><a><b><c/></b>text<d/></a><!-- --><e><f/></e></COLLADA>");
+    EXPECT_THAT(namesBelow(load.collada), ElementsAre("a", "b", "c", "d", "e", "f"));
+    EXPECT_THAT(namesBelow(load.collada.child("a")), ElementsAre("b", "c", "d")) << "and no further";
+    EXPECT_THAT(namesBelow(load.collada.child("e").child("f")), IsEmpty());
+    EXPECT_THAT(namesBelow(XmlNode()), IsEmpty());
+}
+
+TEST(XmlNodeTest, descendantsKnowTheirDepthAndMayBePassedBy) {
+    TestLoad load("<COLLADA><a><b><c/></b><d/></a><e/></COLLADA>");
+    std::vector<std::string> seen;
+    const XmlNode::Descendants all = load.collada.descendants();
+    for (auto element = all.begin(); element != all.end(); ++element) {
+        seen.push_back(std::string(element->name()) + std::to_string(element.depth()));
+        if (element->is("b")) element.skipChildren();
+    }
+    EXPECT_THAT(seen, ElementsAre("a1", "b2", "d2", "e1"));
+}
+
+TEST(XmlNodeTest, everyElementLeadsToItsRootAndToTheOthersById) {
+    TestLoad load("<COLLADA><a><b id='b'/></a><c id='c'/></COLLADA>");
+    const XmlNode b = load.collada.child("a").child("b");
+    EXPECT_EQ(b.root(), load.collada);
+    EXPECT_EQ(b.elementById("c"), load.collada.child("c"));
+    EXPECT_FALSE(b.elementById("d"));
+    EXPECT_FALSE(XmlNode().elementById("c"));
+    EXPECT_FALSE(XmlNode().root());
 }
 
 TEST(XmlNodeTest, aPrefixIsNoPartOfTheName) {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "io/File.h"
-#include "io/Image.h"
+#include "io/ImageWriter.h"
 #include "platform/HeadlessContext.h"
 
 namespace walkcycle {

@@ -1,4 +1,4 @@
-#include "io/Image.h"
+#include "io/ImageDecoder.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <string>
 
 #include <webp/decode.h>
 

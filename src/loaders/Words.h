@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace walkcycle {
+
+// Words of a text: what stands between white space, in every locale. Every control character counts as white space:
+// exporters have written all of them.
+constexpr bool isWhiteSpace(char c) {
+    return static_cast<unsigned char>(c) <= ' ';
+}
+
+// The text without the white space at both ends.
+std::string_view trim(std::string_view text);
+
+// All words, in order; views into `text`.
+std::vector<std::string_view> splitWords(std::string_view text);
+std::uint64_t countWords(std::string_view text);
+// Where the n-th word begins; npos if the text has fewer words.
+std::size_t startOfWord(std::string_view text, std::size_t n);
+
+// Text of the file as it may stand in a one-line message: at most 200 bytes, control characters replaced by spaces.
+std::string printable(std::string_view text);
+
+}  // namespace walkcycle
