@@ -35,6 +35,7 @@ struct LoadLimits {
     std::uint64_t maxArchiveRatio = 200;
     std::uint64_t maxMessages = 1000;
 
+    // The limits of one picture.
     ImageLimits image() const { return {maxImageDimension, maxImagePixels}; }
 };
 

@@ -27,14 +27,6 @@ std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
     return corners;
 }
 
-// What a ring counts as work of the load: as much as reading it did (see LoadProgress).
-double workOf(const PrimitiveCorners& primitive) {
-    std::size_t bytes = 0;
-    std::string joined;
-    for (XmlNode p : primitive.element.children("p")) bytes += p.rawText(joined).size();
-    return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(1, primitive.rings.size()));
-}
-
 class Builder {
 public:
     Builder(const std::vector<PrimitiveCorners>& primitives, LoadedMesh& loaded, const LoadContext& context)
@@ -159,7 +151,9 @@ void Builder::addLines(const PrimitiveCorners& primitive) {
 
 void Builder::addFaces(const PrimitiveCorners& primitive) {
     const std::span<const Ring> rings(loaded_.faces.rings);
-    const double work = workOf(primitive);
+    // A ring counts as much again as reading it did (see LoadProgress).
+    const double workOfRing =
+        textBytes(primitive) / static_cast<double>(std::max<std::size_t>(1, primitive.rings.size()));
     lastJoined_.resize(mesh_.positions.size(), 0);
     for (std::size_t r = 0; r < primitive.rings.size();) {
         const std::size_t end = endOfFace(primitive.rings, r);
@@ -171,7 +165,7 @@ void Builder::addFaces(const PrimitiveCorners& primitive) {
             if (!whole && r == first) break;
         }
         if (r == end) cutFace(rings.subspan(firstRing_ + first, end - first));
-        context_.advance(work * static_cast<double>(end - first));
+        context_.advance(workOfRing * static_cast<double>(end - first));
         r = end;
     }
     firstCorner_ += primitive.cornerCount();

@@ -264,6 +264,13 @@ PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const 
     return Reader(element, kindOf(element)->kind, vertices, context).read();
 }
 
+double textBytes(const PrimitiveCorners& primitive) {
+    double bytes = 0.0;
+    std::string joined;
+    for (XmlNode p : primitive.element.children("p")) bytes += static_cast<double>(p.rawText(joined).size());
+    return bytes;
+}
+
 CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
     const Kind kind = kindOf(primitive.element)->kind;
     if (isCut(kind)) return findCutCorner(primitive, kind, corner, offset);

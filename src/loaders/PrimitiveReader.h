@@ -31,6 +31,9 @@ bool isPrimitive(XmlNode element);
 // that is reported, and the faces that are whole are given.
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context);
 
+// How long the text of the corners is, in bytes; without that of polygons with holes.
+double textBytes(const PrimitiveCorners& primitive);
+
 // Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. (The primitive itself for
 // fans and strips, whose corners are not the file's.)
 struct CornerPlace {

@@ -83,7 +83,9 @@ std::string diagnosticsPage() {
         "lost or wrong in the picture; a warning, that Walkcycle had to guess; an info, that something is "
         "unusual and "
         "handled. `walkcycle explain WC0201` prints an entry of this page.\n\n"
-        "This page is made from `src/loaders/DiagnosticCodes.inc`; do not edit it.\n";
+        "Where an option of the program does what the cure says, it stands behind the colon.\n\n"
+        "This page is made from `src/loaders/DiagnosticCodes.inc` and `src/app/OptionHints.h`; do not edit "
+        "it.\n";
     std::string chapter;
     std::vector<Row> rows(std::begin(kCatalogue), std::end(kCatalogue));
     std::ranges::sort(rows, {}, &Row::number);
