@@ -158,8 +158,9 @@ inline constexpr QuirkInfo kQuirks[] = {
     {Quirk::ExtraInfinity, "extra-infinity",
      "<pre_infinity> and <post_infinity> in an <extra> or <technique> say how a curve goes on outside its "
      "keys.",
-     "ColladaMaya and FCollada write them, in the words that COLLADA 1.5.0 took over as pre_behavior and "
-     "post_behavior.",
+     "ColladaMaya and FCollada write them. COLLADA 1.5.0 has pre_behavior and post_behavior for the same, "
+     "with "
+     "GRADIENT for their LINEAR.",
      "WC0120"},
     {Quirk::ExtraVisibility, "extra-visibility", "A <visibility> of 0 in a node's <extra> hides the node.",
      "FCollada, and so ColladaMaya and ColladaMax, writes it, and animates it.", "WC0120"},
