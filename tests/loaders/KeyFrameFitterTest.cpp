@@ -50,14 +50,6 @@ TEST(KeyFrameFitterTest, aFullTurnInTwoKeysTurnsAllTheWay) {
     }
 }
 
-// Two keys a third of a circle apart, and none twice.
-TEST(KeyFrameFitterTest, aFullTurnTakesAKeyForEachThirdOfIt) {
-    const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 3", "0 360"}.text());
-    const std::vector<KeyFrame>& keys = model.animations.at(0).channels.at(0).keyFrames;
-    ASSERT_THAT(keys, SizeIs(4));
-    for (int i = 0; i < 4; ++i) EXPECT_NEAR(keys[static_cast<std::size_t>(i)].seconds, i, 1e-9);
-}
-
 TEST(KeyFrameFitterTest, neighbouringRotationsAreOnOneSideOfTheSphere) {
     const std::string stack = std::string(kTurn) + "<rotate sid='y'>0 1 0 0</rotate>";
     const Model model = boxMoved(
@@ -160,6 +152,25 @@ TEST(KeyFrameFitterTest, ofTooFewMatricesAndTransformsWithoutShearTheNearerOnesA
     const Channel many = fitChannel(motion, {0, 1}, {.budget = 1e-7});
     EXPECT_THAT(many.keyFrames, IsEmpty());
     EXPECT_GT(many.matrixKeyFrames.size(), 1000u);
+}
+
+// 1000 degrees, with eight keys between the ends at most: one less, and a way would be longer than half a circle.
+TEST(KeyFrameFitterTest, aLongRotationSpreadsTheKeysThatItMayHave) {
+    const Curve curve = makeCurve({.width = 1,
+                                   .times = {0, 1},
+                                   .values = {0, 1000},
+                                   .interpolations = std::vector<Interpolation>(2, Interpolation::Linear),
+                                   .inTangents = {},
+                                   .outTangents = {}});
+    JointMotion motion;
+    motion.stack.push_back({TransformElement::Kind::Rotate, {0, 0, 1, 0}});
+    motion.bindings.push_back({.curve = &curve, .first = 3, .count = 1});
+    const Channel channel = fitChannel(motion, {0, 1}, {.budget = 1e-4}, {.most = 10});
+    ASSERT_THAT(channel.keyFrames, SizeIs(9));
+    for (int i = 0; i <= 100; ++i)
+        EXPECT_LT(apart(sample(channel, i / 100.0).toMatrix(), glm::mat4(motion.localTransform(i / 100.0))),
+                  1e-4)
+            << i;
 }
 
 TEST(KeyFrameFitterTest, mixedEulerAnglesStayWithinTheTolerance) {

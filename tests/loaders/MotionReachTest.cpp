@@ -29,7 +29,9 @@ const std::string kDrawn = "<instance_geometry url='#mesh'/>";
 
 // It moves, and goes nowhere.
 std::string still(const std::string& target) {
-    return AnimationText{.target = target, .times = "0 1", .values = "0 0", .id = target.substr(0, 1)}.text();
+    return AnimationText{
+        .target = target, .times = "0 1", .values = "0 0", .id = "still-" + target.substr(0, 1)}
+        .text();
 }
 
 std::string boxOf(const std::string& positions, const std::string& stack = kMove) {
@@ -153,7 +155,7 @@ TEST(MotionReachTest, errorsOfAChainAreMeasuredWhereTheyAddUp) {
 
 TEST(MotionReachTest, aSkinsPointsHangOnTheJointsThatPullThem) {
     SkinText skin;
-    skin.joints = nameSource("joints", "hip knee");
+    skin.inverseBinds = matrixSource("binds", kIdentity + kIdentity);
     skin.vcount = "1 1 2";
     skin.v = "0 0  1 0  0 1 1 1";
     const std::string text = collada(triangle() + controllers(skin.text()) + animations(still("knee/t.X")) +
