@@ -14,14 +14,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "animation/CrowdPoser.h"
-#include "loaders/ColladaLoader.h"
-#include "loaders/LoadOptions.h"
-#include "model/CpuSkinning.h"
-#include "platform/HeadlessContext.h"
-#include "render/AnimatedModelRenderer.h"
-#include "render/CrowdRenderer.h"
-#include "render/Framebuffer.h"
+#include "walkcycle/crowd/CrowdPoser.h"
+#include "walkcycle/loaders/ColladaLoader.h"
+#include "walkcycle/loaders/LoadOptions.h"
+#include "walkcycle/model/CpuSkinning.h"
+#include "walkcycle/platform/HeadlessContext.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
+#include "walkcycle/render/CrowdRenderer.h"
+#include "walkcycle/render/Framebuffer.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <tinyxml2.h>
 
 #include "Peers.h"
-#include "io/File.h"
-#include "loaders/NumberParser.h"
-#include "loaders/NumberText.h"
+#include "loaders/text/NumberParser.h"
+#include "loaders/text/NumberText.h"
+#include "walkcycle/io/File.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <assimp/postprocess.h>
 #endif
 
-#include "loaders/ColladaLoader.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 void loadWithOpenCollada(const std::string& file);  // OpenCollada.cpp, where it is installed
 

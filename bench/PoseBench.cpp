@@ -4,9 +4,9 @@
 #include <benchmark/benchmark.h>
 
 #include "SeriesAnimator.h"
-#include "animation/Animator.h"
-#include "animation/CrowdPoser.h"
-#include "loaders/ColladaLoader.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/crowd/CrowdPoser.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtx/matrix_decompose.hpp>
 
-#include "animation/Animator.h"
+#include "walkcycle/animation/Animator.h"
 
 namespace walkcycle::bench {
 namespace {

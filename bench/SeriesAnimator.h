@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle::bench {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "loaders/ColladaLoader.h"
-#include "profiles/Profile.h"
+#include <walkcycle/loaders/ColladaLoader.h>
+#include <walkcycle/profiles/Profile.h>
 
 using namespace walkcycle;
 

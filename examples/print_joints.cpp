@@ -1,8 +1,8 @@
 // Where each joint of a file is, half a second into its motion: loading and posing, without OpenGL.
 #include <cstdio>
 
-#include "animation/Animator.h"
-#include "loaders/ColladaLoader.h"
+#include <walkcycle/animation/Animator.h>
+#include <walkcycle/loaders/ColladaLoader.h>
 
 using namespace walkcycle;
 

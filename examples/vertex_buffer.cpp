@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "animation/Animator.h"
-#include "loaders/ColladaLoader.h"
-#include "model/LimitedInfluences.h"
+#include <walkcycle/animation/Animator.h>
+#include <walkcycle/loaders/ColladaLoader.h>
+#include <walkcycle/model/Influences.h>
 
 using namespace walkcycle;
 

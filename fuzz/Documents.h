@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "loaders/LoadOptions.h"
-#include "loaders/XmlNode.h"
+#include "loaders/document/XmlNode.h"
+#include "walkcycle/loaders/LoadOptions.h"
 
 // What the targets share that look into a document.
 namespace walkcycle {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "Require.h"
-#include "loaders/CurveBuilder.h"
+#include "loaders/curves/CurveBuilder.h"
 
 namespace {
 

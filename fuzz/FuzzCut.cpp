@@ -4,8 +4,8 @@
 
 #include "Documents.h"
 #include "Require.h"
-#include "loaders/Diagnostics.h"
-#include "loaders/DocumentSet.h"
+#include "loaders/document/Diagnostics.h"
+#include "loaders/document/DocumentSet.h"
 
 namespace {
 

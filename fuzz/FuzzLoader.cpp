@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "Require.h"
-#include "animation/Animator.h"
-#include "loaders/ColladaLoader.h"
-#include "model/Bounds.h"
-#include "model/CpuSkinning.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/loaders/ColladaLoader.h"
+#include "walkcycle/model/Bounds.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace {
 

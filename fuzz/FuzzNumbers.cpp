@@ -8,8 +8,8 @@
 #include <string>
 
 #include "Require.h"
-#include "loaders/NumberParser.h"
-#include "loaders/Words.h"
+#include "loaders/text/NumberParser.h"
+#include "loaders/text/Words.h"
 
 namespace {
 

@@ -5,11 +5,11 @@
 
 #include "Documents.h"
 #include "Require.h"
-#include "loaders/Diagnostics.h"
-#include "loaders/Dialect.h"
-#include "loaders/DocumentSet.h"
-#include "loaders/Inputs.h"
-#include "loaders/Source.h"
+#include "loaders/document/Diagnostics.h"
+#include "loaders/document/DocumentSet.h"
+#include "loaders/quirks/Dialect.h"
+#include "loaders/sources/Inputs.h"
+#include "loaders/sources/Source.h"
 
 namespace {
 

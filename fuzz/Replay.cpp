@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -1,8 +1,13 @@
-#include "animation/Animator.h"
+#include "walkcycle/animation/Animator.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "animation/CubicKeys.h"
+#include "animation/KeyFrameSearch.h"
+#include "animation/MatrixKeys.h"
+#include "animation/ParameterTrack.h"
 
 namespace walkcycle {
 

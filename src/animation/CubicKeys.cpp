@@ -3,6 +3,9 @@
 #include <cassert>
 #include <cstddef>
 
+#include "animation/CurvedTransform.h"
+#include "animation/KeyFrameSearch.h"
+
 namespace walkcycle {
 
 // Between two key frames, each number runs on the cubic curve that leaves the one with its `out` tangent and arrives

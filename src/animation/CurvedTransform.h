@@ -1,17 +1,12 @@
 #pragma once
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
 #include "animation/Interpolation.h"
-#include "animation/JointTransform.h"
+#include "walkcycle/animation/KeyFrame.h"
 
 namespace walkcycle {
-
-// How fast the numbers of a transform change.
-template <typename Number>
-struct TransformRates {
-    glm::vec<3, Number> position{Number(0)};
-    glm::qua<Number> rotation{Number(0), Number(0), Number(0), Number(0)};
-    glm::vec<3, Number> scale{Number(0)};
-};
 
 // Each number of position, rotation and scale on a cubic curve, the rotation brought back to unit length.
 template <typename Number>

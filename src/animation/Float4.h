@@ -9,7 +9,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "animation/JointRows.h"
+#include "walkcycle/animation/JointRows.h"
 
 namespace walkcycle {
 

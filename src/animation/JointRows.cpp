@@ -1,4 +1,4 @@
-#include "animation/JointRows.h"
+#include "walkcycle/animation/JointRows.h"
 
 #include "animation/Float4.h"
 

@@ -1,4 +1,4 @@
-#include "animation/JointTransform.h"
+#include "walkcycle/animation/JointTransform.h"
 
 #include <glm/mat3x3.hpp>
 

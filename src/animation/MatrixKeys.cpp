@@ -1,6 +1,6 @@
 #include "animation/MatrixKeys.h"
 
-#include "animation/KeyFrame.h"
+#include "animation/KeyFrameSearch.h"
 
 namespace walkcycle {
 

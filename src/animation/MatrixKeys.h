@@ -4,14 +4,9 @@
 
 #include <glm/mat4x4.hpp>
 
-namespace walkcycle {
+#include "walkcycle/animation/KeyFrame.h"
 
-// A key frame for what no JointTransform can hold: animated shear, mirroring, zero scale.
-struct MatrixKeyFrame {
-    double seconds = 0.0;
-    glm::mat4 matrix{1.0f};
-    bool step = false;  // holds until the next key frame
-};
+namespace walkcycle {
 
 // The matrix at a time of the document's timeline: between two key frames, number by number on straight lines.
 glm::mat4 sampleMatrix(const std::vector<MatrixKeyFrame>& keyFrames, double seconds);

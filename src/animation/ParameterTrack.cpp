@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "animation/Interpolation.h"
-#include "animation/KeyFrame.h"
+#include "animation/KeyFrameSearch.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "animation/Pose.h"
+#include "walkcycle/animation/Pose.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "animation/Skin.h"
+#include "walkcycle/animation/Skin.h"
 
 #include <cassert>
 #include <cstddef>

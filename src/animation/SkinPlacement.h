@@ -6,7 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "animation/Joint.h"
+#include "walkcycle/animation/Joint.h"
 
 namespace walkcycle {
 

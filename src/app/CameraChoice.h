@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/Arguments.h"
-#include "render/AnimatedModel.h"
-#include "render/Camera.h"
+#include "walkcycle/render/AnimatedModel.h"
+#include "walkcycle/render/Camera.h"
 
 namespace walkcycle {
 

@@ -11,9 +11,9 @@
 #include "app/Joined.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
-#include "io/File.h"
-#include "loaders/Diagnostics.h"
-#include "profiles/Profile.h"
+#include "loaders/document/Diagnostics.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/profiles/Profile.h"
 
 namespace walkcycle {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/ModelFacts.h"
-#include "model/Diagnostic.h"
+#include "walkcycle/model/Diagnostic.h"
 
 namespace walkcycle {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

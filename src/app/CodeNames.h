@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "loaders/Diagnostics.h"
+#include "loaders/document/Diagnostics.h"
 
 namespace walkcycle {
 

@@ -10,8 +10,8 @@
 #include "app/Messages.h"
 #include "app/Numbers.h"
 #include "app/PictureFile.h"
-#include "io/File.h"
 #include "io/ImageDecoder.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 namespace {

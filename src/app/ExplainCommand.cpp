@@ -5,8 +5,8 @@
 #include "app/ExitCode.h"
 #include "app/Messages.h"
 #include "app/OptionHints.h"
-#include "loaders/Diagnostics.h"
-#include "loaders/MessageTemplate.h"
+#include "loaders/document/Diagnostics.h"
+#include "loaders/document/MessageTemplate.h"
 
 namespace walkcycle {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/Graphics.h"
 
-#include "platform/NoGraphicsDevice.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
 

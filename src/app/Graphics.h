@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "platform/HeadlessContext.h"
-#include "platform/Window.h"
+#include "walkcycle/platform/HeadlessContext.h"
+#include "walkcycle/platform/Window.h"
 
 namespace walkcycle {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "io/Image.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

@@ -7,8 +7,8 @@
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
 #include "app/SharedOptions.h"
-#include "loaders/Dialect.h"
 #include "loaders/Inspection.h"
+#include "loaders/quirks/Dialect.h"
 
 namespace walkcycle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "app/FormatNumber.h"
 #include "app/ModelFacts.h"
-#include "model/Bounds.h"
+#include "walkcycle/model/Bounds.h"
 
 namespace walkcycle {
 namespace {

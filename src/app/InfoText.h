@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "loaders/Dialect.h"
-#include "model/Model.h"
+#include "loaders/quirks/Dialect.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "animation/Joint.h"
+#include "walkcycle/animation/Joint.h"
 
 namespace walkcycle {
 

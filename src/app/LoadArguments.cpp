@@ -4,9 +4,9 @@
 
 #include "app/ExitCode.h"
 #include "app/Numbers.h"
-#include "loaders/ColladaLoader.h"
-#include "loaders/Diagnostics.h"
-#include "loaders/Dialect.h"
+#include "loaders/document/Diagnostics.h"
+#include "loaders/quirks/Dialect.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 namespace walkcycle {
 namespace {
@@ -86,12 +86,12 @@ void LoadArguments::declare(Arguments& arguments) {
                          "Read the file with or without this quirk of exporters, whatever tool wrote it "
                          "(info --verbose lists them)",
                          [this](const std::string& text) { setQuirk(text, options.quirks); });
-    arguments.option(
-        "--tolerance", "SHARE", "The largest error of the key frames, as a share of the model's size (1e-4)",
-        [this](const std::string& text) {
-            options.tolerance = parseNumber(text, "--tolerance");
-            requireUsable(options, "--tolerance: '" + text + "'");
-        });
+    arguments.option("--tolerance", "SHARE",
+                     "The largest error of the key frames, as a share of the model's size (1e-4)",
+                     [this](const std::string& text) {
+                         options.tolerance = parseNumber(text, "--tolerance");
+                         requireUsable(options, "--tolerance: '" + text + "'");
+                     });
     arguments.flag("--strict", "End with exit code 1 if the file has errors or warnings", strict);
     arguments.flag("--verbose,-v", "Print more: also notes, and what was found and chosen", verbose);
     arguments.flag("--quiet,-q", "Print only what stops the program", quiet);

@@ -4,8 +4,8 @@
 
 #include "app/Arguments.h"
 #include "app/Messages.h"
-#include "loaders/LoadOptions.h"
-#include "model/Model.h"
+#include "walkcycle/loaders/LoadOptions.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "app/OptionHints.h"
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 namespace {

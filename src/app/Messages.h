@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "model/Diagnostic.h"
+#include "walkcycle/model/Diagnostic.h"
 
 namespace walkcycle {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -1,7 +1,7 @@
 #include "app/ObjWriter.h"
 
 #include "app/FormatNumber.h"
-#include "model/CpuSkinning.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "animation/Animator.h"
-#include "model/Model.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

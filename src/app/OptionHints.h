@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/Diagnostic.h"
+#include "walkcycle/model/Diagnostic.h"
 
 namespace walkcycle {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/Camera.h"
+#include "walkcycle/render/Camera.h"
 
 namespace walkcycle {
 

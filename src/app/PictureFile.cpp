@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/ExitCode.h"
-#include "io/File.h"
-#include "io/ImageWriter.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 namespace {

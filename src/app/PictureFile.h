@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "io/File.h"
-#include "io/Image.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

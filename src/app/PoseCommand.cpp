@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "animation/Animator.h"
 #include "app/Clips.h"
 #include "app/Commands.h"
 #include "app/ExactPose.h"
@@ -10,8 +9,9 @@
 #include "app/ObjWriter.h"
 #include "app/PoseWriter.h"
 #include "app/SharedOptions.h"
-#include "io/File.h"
-#include "model/CpuSkinning.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/ExactPose.h"
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -15,13 +15,13 @@
 #include "app/Joined.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
-#include "io/File.h"
-#include "io/Image.h"
-#include "loaders/Diagnostics.h"
-#include "loaders/Spelling.h"
+#include "loaders/document/Diagnostics.h"
+#include "loaders/text/Spelling.h"
 #include "platform/DisplayLoss.h"
-#include "platform/NoGraphicsDevice.h"
-#include "render/GraphicsError.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/io/Image.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 namespace {

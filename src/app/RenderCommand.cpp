@@ -15,10 +15,10 @@
 #include "app/SharedOptions.h"
 #include "app/Sheet.h"
 #include "app/Shots.h"
-#include "platform/NoGraphicsDevice.h"
-#include "render/AnimatedModelRenderer.h"
-#include "render/Framebuffer.h"
 #include "render/SampleAverage.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
+#include "walkcycle/render/Framebuffer.h"
 
 namespace walkcycle {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/Arguments.h"
-#include "render/RenderOptions.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "io/Image.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

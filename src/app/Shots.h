@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/Arguments.h"
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -1,6 +1,6 @@
 #include "app/Commands.h"
-#include "platform/HeadlessContext.h"
-#include "platform/NoGraphicsDevice.h"
+#include "walkcycle/platform/HeadlessContext.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
 

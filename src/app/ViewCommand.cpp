@@ -10,8 +10,8 @@
 #include "app/Numbers.h"
 #include "app/SharedOptions.h"
 #include "app/Viewer.h"
-#include "model/BorrowedClips.h"
-#include "platform/NoGraphicsDevice.h"
+#include "walkcycle/model/Model.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/FormatNumber.h"
 #include "app/LoadArguments.h"
 #include "app/Messages.h"
-#include "loaders/Diagnostics.h"
+#include "loaders/document/Diagnostics.h"
 
 namespace walkcycle {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "app/FileWatch.h"
 #include "app/OrbitCamera.h"
-#include "platform/Window.h"
-#include "render/AnimatedModel.h"
-#include "render/AnimatedModelRenderer.h"
+#include "walkcycle/platform/Window.h"
+#include "walkcycle/render/AnimatedModel.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
 
 namespace walkcycle {
 

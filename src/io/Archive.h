@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "io/Bytes.h"
+#include "walkcycle/io/Bytes.h"
 
 #ifdef __linux__
 #include <sys/mman.h>

@@ -1,4 +1,4 @@
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 #include <algorithm>
 #include <array>

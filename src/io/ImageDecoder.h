@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "io/Image.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

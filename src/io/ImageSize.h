@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/Image.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

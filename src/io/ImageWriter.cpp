@@ -1,5 +1,3 @@
-#include "io/ImageWriter.h"
-
 #include <array>
 #include <climits>
 #include <cstring>
@@ -8,6 +6,8 @@
 
 #include <libdeflate.h>
 #include <webp/encode.h>
+
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 

@@ -1,20 +1,20 @@
-#include "loaders/ColladaLoader.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 #include <algorithm>
 
 #include <tinyxml2.h>
 
-#include "loaders/AnimationFitter.h"
-#include "loaders/AnimationLoader.h"
-#include "loaders/AnimationTargets.h"
-#include "loaders/AssetReader.h"
-#include "loaders/ControllerLoader.h"
-#include "loaders/Dialect.h"
 #include "loaders/Inspection.h"
-#include "loaders/KnownElements.h"
-#include "loaders/LoadProgress.h"
-#include "loaders/MaterialLoader.h"
-#include "loaders/SceneLoader.h"
+#include "loaders/context/AssetReader.h"
+#include "loaders/controllers/ControllerLoader.h"
+#include "loaders/curves/AnimationLoader.h"
+#include "loaders/document/KnownElements.h"
+#include "loaders/document/LoadProgress.h"
+#include "loaders/keys/AnimationFitter.h"
+#include "loaders/materials/MaterialLoader.h"
+#include "loaders/quirks/Dialect.h"
+#include "loaders/scene/AnimationTargets.h"
+#include "loaders/scene/SceneLoader.h"
 
 namespace walkcycle {
 namespace {

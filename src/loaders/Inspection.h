@@ -1,8 +1,8 @@
 #pragma once
 
-#include "loaders/LoadContext.h"
-#include "loaders/SceneGraph.h"
-#include "model/Model.h"
+#include "loaders/context/LoadContext.h"
+#include "loaders/scene/SceneGraph.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "loaders/LoadOptions.h"
+#include "walkcycle/loaders/LoadOptions.h"
 
 #include <cmath>
 #include <locale>

@@ -1,7 +1,7 @@
-#include "model/BorrowedClips.h"
-
 #include <string>
 #include <unordered_map>
+
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 namespace {

@@ -1,12 +1,12 @@
-#include "model/Bounds.h"
+#include "walkcycle/model/Bounds.h"
 
 #include <algorithm>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "animation/Animator.h"
-#include "model/CpuSkinning.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

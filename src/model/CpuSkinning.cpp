@@ -1,4 +1,4 @@
-#include "model/CpuSkinning.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "model/Diagnostic.h"
+#include "walkcycle/model/Diagnostic.h"
 
 #include <string_view>
 

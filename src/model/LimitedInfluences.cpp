@@ -1,10 +1,10 @@
-#include "model/LimitedInfluences.h"
-
 #include <algorithm>
 #include <cassert>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
+
+#include "walkcycle/model/Influences.h"
 
 namespace walkcycle {
 namespace {

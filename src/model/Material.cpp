@@ -1,4 +1,4 @@
-#include "model/Material.h"
+#include "walkcycle/model/Material.h"
 
 #include <algorithm>
 

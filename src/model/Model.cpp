@@ -1,4 +1,4 @@
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "model/SceneState.h"
+#include "walkcycle/model/SceneState.h"
 
 #include <algorithm>
 #include <cassert>

@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "animation/Float4.h"
-#include "model/Influences.h"
+#include "walkcycle/model/Influences.h"
 
 namespace walkcycle {
 

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "model/MeshFaces.h"
+#include "walkcycle/model/MeshData.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "platform/HeadlessContext.h"
+#include "walkcycle/platform/HeadlessContext.h"
 
 #include <cstdlib>
 #include <map>
@@ -10,7 +10,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-#include "platform/NoGraphicsDevice.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
 namespace {

@@ -1,4 +1,4 @@
-#include "platform/Window.h"
+#include "walkcycle/platform/Window.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 #include <GLFW/glfw3.h>
 
 #include "platform/DisplayLoss.h"
-#include "platform/NoGraphicsDevice.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
 namespace {

@@ -1,4 +1,4 @@
-#include "profiles/Profile.h"
+#include "walkcycle/profiles/Profile.h"
 
 #include <array>
 #include <cassert>

@@ -5,8 +5,8 @@
 #include <unordered_set>
 
 #include "animation/RowMajor.h"
-#include "loaders/NumberParser.h"
-#include "loaders/Words.h"
+#include "loaders/text/NumberParser.h"
+#include "loaders/text/Words.h"
 
 namespace walkcycle {
 namespace {

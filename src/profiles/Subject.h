@@ -9,8 +9,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "loaders/ChannelTarget.h"
 #include "loaders/Inspection.h"
+#include "loaders/curves/ChannelTarget.h"
 
 namespace walkcycle {
 

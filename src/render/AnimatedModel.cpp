@@ -1,4 +1,4 @@
-#include "render/AnimatedModel.h"
+#include "walkcycle/render/AnimatedModel.h"
 
 #include "render/ModelResource.h"
 

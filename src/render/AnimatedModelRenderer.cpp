@@ -1,4 +1,4 @@
-#include "render/AnimatedModelRenderer.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
 
 #include <algorithm>
 #include <map>

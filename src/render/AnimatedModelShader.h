@@ -5,12 +5,12 @@
 
 #include <glm/vec2.hpp>
 
-#include "model/Material.h"
-#include "render/Camera.h"
 #include "render/FileLights.h"
 #include "render/ModelResource.h"
-#include "render/RenderOptions.h"
 #include "render/ShaderProgram.h"
+#include "walkcycle/model/Material.h"
+#include "walkcycle/render/Camera.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 

@@ -4,13 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "model/Bounds.h"
 #include "render/Backdrop.h"
-#include "render/Camera.h"
-#include "render/RenderOptions.h"
-#include "render/RenderTarget.h"
 #include "render/ShaderProgram.h"
 #include "render/Vao.h"
+#include "walkcycle/model/Bounds.h"
+#include "walkcycle/render/Camera.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "render/Camera.h"
+#include "walkcycle/render/Camera.h"
 
 #include <algorithm>
 #include <array>

@@ -1,16 +1,16 @@
-#include "render/CrowdRenderer.h"
+#include "walkcycle/render/CrowdRenderer.h"
 
 #include <algorithm>
 #include <cassert>
 #include <map>
 
-#include "animation/Skin.h"
 #include "render/AnimatedModelShader.h"
 #include "render/Drawing.h"
 #include "render/FileLights.h"
-#include "render/GraphicsError.h"
 #include "render/InstanceStates.h"
 #include "render/VertexInput.h"
+#include "walkcycle/animation/Skin.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model/Material.h"
 #include "render/ModelResource.h"
-#include "render/RenderTarget.h"
+#include "walkcycle/model/Material.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 

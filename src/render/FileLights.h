@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "render/AnimatedModel.h"
-#include "render/Camera.h"
+#include "walkcycle/render/AnimatedModel.h"
+#include "walkcycle/render/Camera.h"
 
 namespace walkcycle {
 

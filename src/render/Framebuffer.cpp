@@ -1,4 +1,4 @@
-#include "render/Framebuffer.h"
+#include "walkcycle/render/Framebuffer.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model/Material.h"
 #include "render/GlObject.h"
 #include "render/MipMaps.h"
+#include "walkcycle/model/Material.h"
 
 namespace walkcycle {
 

@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "animation/Skin.h"
 #include "model/Deformers.h"
 #include "render/VertexInput.h"
+#include "walkcycle/animation/Skin.h"
 
 namespace walkcycle {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <glm/vec2.hpp>
 
-#include "model/CpuSkinning.h"
-#include "render/AnimatedModel.h"
 #include "render/AnimatedModelShader.h"
 #include "render/JointPalette.h"
 #include "render/ModelResource.h"
-#include "render/RenderTarget.h"
 #include "render/ScreenArea.h"
+#include "walkcycle/model/CpuSkinning.h"
+#include "walkcycle/render/AnimatedModel.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 

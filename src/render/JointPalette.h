@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "animation/JointRows.h"
 #include "render/BufferTexture.h"
+#include "walkcycle/animation/JointRows.h"
 
 namespace walkcycle {
 

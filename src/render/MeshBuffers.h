@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "model/Influences.h"
-#include "model/MeshData.h"
-#include "model/Model.h"
 #include "render/BufferTexture.h"
 #include "render/Vao.h"
 #include "render/Vbo.h"
+#include "walkcycle/model/Influences.h"
+#include "walkcycle/model/MeshData.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "model/Bounds.h"
-#include "model/Model.h"
 #include "render/GlTexture.h"
 #include "render/MeshBuffers.h"
 #include "render/ScreenArea.h"
+#include "walkcycle/model/Bounds.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 

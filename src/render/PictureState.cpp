@@ -3,7 +3,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "render/GraphicsError.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "io/Image.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

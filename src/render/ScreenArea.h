@@ -6,9 +6,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include "model/Bounds.h"
-#include "model/Influences.h"
-#include "model/MeshData.h"
+#include "walkcycle/model/Bounds.h"
+#include "walkcycle/model/Influences.h"
+#include "walkcycle/model/MeshData.h"
 
 namespace walkcycle {
 

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "render/GraphicsError.h"
 #include "render/ShaderSource.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "render/AnimatedModel.h"
-#include "render/Camera.h"
 #include "render/ShaderProgram.h"
 #include "render/Vao.h"
+#include "walkcycle/render/AnimatedModel.h"
+#include "walkcycle/render/Camera.h"
 
 namespace walkcycle {
 

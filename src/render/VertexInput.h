@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "model/Material.h"
+#include "walkcycle/model/Material.h"
 
 namespace walkcycle {
 

@@ -2,10 +2,10 @@
 #include <new>
 
 #include "allocation/FailingAllocation.h"
-#include "io/ImageWriter.h"
 #include "loaders/AnimationText.h"
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 namespace {

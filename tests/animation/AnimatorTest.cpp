@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "animation/AllocationCount.h"
-#include "animation/Animator.h"
-#include "animation/Skin.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/animation/Skin.h"
 
 namespace walkcycle {
 namespace {

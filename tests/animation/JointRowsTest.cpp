@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "animation/Float4.h"
-#include "animation/JointRows.h"
+#include "walkcycle/animation/JointRows.h"
 
 namespace walkcycle {
 namespace {

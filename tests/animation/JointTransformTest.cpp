@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "animation/JointTransform.h"
+#include "walkcycle/animation/JointTransform.h"
 
 namespace walkcycle {
 namespace {

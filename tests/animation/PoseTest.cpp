@@ -1,7 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "animation/Pose.h"
+#include "walkcycle/animation/Pose.h"
 
 namespace walkcycle {
 namespace {

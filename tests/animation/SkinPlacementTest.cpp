@@ -3,8 +3,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "animation/Skin.h"
 #include "animation/SkinPlacement.h"
+#include "walkcycle/animation/Skin.h"
 
 namespace walkcycle {
 namespace {

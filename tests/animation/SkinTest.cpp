@@ -1,7 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "animation/Skin.h"
+#include "walkcycle/animation/Skin.h"
 
 namespace walkcycle {
 namespace {

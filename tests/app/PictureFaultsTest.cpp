@@ -4,7 +4,7 @@
 
 #include "app/Faults.h"
 #include "app/SmallDocuments.h"
-#include "io/ImageWriter.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 namespace {

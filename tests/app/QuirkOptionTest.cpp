@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "RunProgram.h"
-#include "loaders/Quirks.h"
+#include "loaders/quirks/Quirks.h"
 
 namespace walkcycle {
 namespace {

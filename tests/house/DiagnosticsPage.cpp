@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/OptionHints.h"
-#include "loaders/MessageTemplate.h"
-#include "model/Diagnostic.h"
+#include "loaders/document/MessageTemplate.h"
+#include "walkcycle/model/Diagnostic.h"
 
 namespace walkcycle::house {
 namespace {
@@ -26,7 +26,7 @@ struct Row {
 const Row kCatalogue[] = {
 #define WC_CODE(number, name, severity, text, cause, ...) \
     {number, #name, Severity::severity, text, cause, __VA_ARGS__},
-#include "loaders/DiagnosticCodes.inc"
+#include "loaders/document/DiagnosticCodes.inc"
 #undef WC_CODE
 };
 
@@ -76,10 +76,12 @@ std::string diagnosticsPage() {
         "the file is "
         "lost or wrong in the picture; a warning, that Walkcycle had to guess; an info, that something is "
         "unusual and "
-        "handled. `walkcycle explain WC0201` prints an entry of this page. Words in capitals stand for what a "
+        "handled. `walkcycle explain WC0201` prints an entry of this page. Words in capitals stand for what "
+        "a "
         "message takes from the file.\n\n"
         "Where an option of the program does what the cure says, it stands behind the colon.\n\n"
-        "This page is made from `src/loaders/DiagnosticCodes.inc` and `src/app/OptionHints.h`; do not edit "
+        "This page is made from `src/loaders/document/DiagnosticCodes.inc` and `src/app/OptionHints.h`; do "
+        "not edit "
         "it.\n";
     std::string chapter;
     std::vector<Row> rows(std::begin(kCatalogue), std::end(kCatalogue));

@@ -4,7 +4,7 @@
 
 namespace walkcycle::house {
 
-// docs/diagnostics.md, made from the catalogue in src/loaders/DiagnosticCodes.inc.
+// docs/diagnostics.md, made from the catalogue in src/loaders/document/DiagnosticCodes.inc.
 std::string diagnosticsPage();
 
 }  // namespace walkcycle::house

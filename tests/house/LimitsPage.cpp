@@ -1,6 +1,6 @@
 #include "LimitsPage.h"
 
-#include "loaders/LoadLimits.h"
+#include "walkcycle/loaders/LoadLimits.h"
 
 namespace walkcycle::house {
 namespace {
@@ -38,7 +38,8 @@ std::string limitsPage() {
         "```\nwalkcycle check huge.dae --limit file-bytes=4G --limit elements=100000000\n```\n\n"
         "In the library they are `LoadOptions::limits`. No memory is ever taken for a count that a file only "
         "claims.\n\n"
-        "This page is made from `src/loaders/LoadLimits.h`; do not edit it. `tests/loaders/LimitsTest.cpp` "
+        "This page is made from `include/walkcycle/loaders/LoadLimits.h`; do not edit it. "
+        "`tests/loaders/document/LimitsTest.cpp` "
         "tries each "
         "one below, at, and one over its limit.\n\n"
         "| limit | default | of | why |\n|---|---|---|---|\n";

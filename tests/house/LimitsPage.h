@@ -4,7 +4,7 @@
 
 namespace walkcycle::house {
 
-// docs/limits.md as src/loaders/LoadLimits.h makes it.
+// docs/limits.md as include/walkcycle/loaders/LoadLimits.h makes it.
 std::string limitsPage();
 
 }  // namespace walkcycle::house

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "loaders/Quirks.h"
+#include "loaders/quirks/Quirks.h"
 
 namespace walkcycle::house {
 namespace {
@@ -35,8 +35,8 @@ std::string quirksSection() {
                           "which quirks are on, and `--quirk NAME=on|off` (in the library "
                           "`LoadOptions::quirks`) decides before it. "
                           "`info --verbose` lists them for a file, and which of them are used there.\n\n"
-                          "This section is made from `src/loaders/Quirks.h`; do not edit it. "
-                          "`tests/loaders/QuirksTest.cpp` reads each "
+                          "This section is made from `src/loaders/quirks/Quirks.h`; do not edit it. "
+                          "`tests/loaders/quirks/QuirksTest.cpp` reads each "
                           "fixture with its quirk and without it.\n\n";
     for (const QuirkInfo& quirk : kQuirks) section += entry(quirk);
     return section;

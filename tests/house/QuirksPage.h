@@ -4,7 +4,7 @@
 
 namespace walkcycle::house {
 
-// The section of docs/collada-notes.md that src/loaders/Quirks.h makes, from its heading on.
+// The section of docs/collada-notes.md that src/loaders/quirks/Quirks.h makes, from its heading on.
 std::string quirksSection();
 
 // The page with its section (from that heading to the next of its level) replaced by the one above.

@@ -5,7 +5,7 @@
 
 #include "QuirksPage.h"
 #include "SourceTree.h"
-#include "loaders/Quirks.h"
+#include "loaders/quirks/Quirks.h"
 
 using namespace walkcycle::house;
 using testing::ElementsAre;
@@ -51,7 +51,7 @@ TEST(QuirksTest, onlyTheQuirksNameExporters) {
     for (const std::string& file : files) {
         if (isOfQuirks(file)) continue;
         EXPECT_THAT(exportersNamedIn(file, readText(root() / file)), IsEmpty())
-            << "move the rule to src/loaders/Quirks.h and ask Dialects::follows()";
+            << "move the rule to src/loaders/quirks/Quirks.h and ask Dialects::follows()";
     }
 }
 

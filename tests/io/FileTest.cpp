@@ -3,8 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/File.h"
 #include "io/TestFolder.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 namespace {

@@ -5,8 +5,8 @@
 #include <zlib.h>
 
 #include "io/ImageDecoder.h"
-#include "io/ImageWriter.h"
 #include "io/TestFolder.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 

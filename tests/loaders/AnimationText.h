@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "animation/Animator.h"
 #include "loaders/LoadText.h"
-#include "loaders/Words.h"
+#include "loaders/text/Words.h"
+#include "walkcycle/animation/Animator.h"
 
 namespace walkcycle {
 

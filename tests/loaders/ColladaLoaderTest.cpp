@@ -3,9 +3,9 @@
 #include <cmath>
 #include <thread>
 
-#include "LoadText.h"
-#include "TestFiles.h"
-#include "loaders/ColladaLoader.h"
+#include "loaders/LoadText.h"
+#include "loaders/TestFiles.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 namespace walkcycle {
 namespace {

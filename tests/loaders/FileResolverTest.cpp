@@ -3,9 +3,9 @@
 #include <span>
 #include <string_view>
 
-#include "LoadText.h"
-#include "TestFiles.h"
-#include "loaders/FileResolver.h"
+#include "loaders/LoadText.h"
+#include "loaders/TestFiles.h"
+#include "walkcycle/loaders/LoadOptions.h"
 
 namespace walkcycle {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "loaders/Dialect.h"
-#include "loaders/GeometryLoader.h"
+#include "loaders/geometry/GeometryLoader.h"
+#include "loaders/quirks/Dialect.h"
 
 namespace walkcycle {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
-#include "LoadText.h"
-#include "loaders/LoadOptions.h"
+#include "loaders/LoadText.h"
+#include "walkcycle/loaders/LoadOptions.h"
 
 namespace walkcycle {
 namespace {

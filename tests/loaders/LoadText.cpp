@@ -1,11 +1,11 @@
-#include "LoadText.h"
+#include "loaders/LoadText.h"
 
 #include <algorithm>
 #include <ostream>
 
-#include "animation/Animator.h"
-#include "loaders/Words.h"
-#include "model/CpuSkinning.h"
+#include "loaders/text/Words.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

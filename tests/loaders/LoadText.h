@@ -8,10 +8,10 @@
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 
-#include "loaders/ColladaLoader.h"
-#include "loaders/Dialect.h"
-#include "loaders/DocumentSet.h"
-#include "loaders/LoadContext.h"
+#include "loaders/context/LoadContext.h"
+#include "loaders/document/DocumentSet.h"
+#include "loaders/quirks/Dialect.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 // Small documents as text, and what loading them says: what the tests of this folder share.
 namespace walkcycle {

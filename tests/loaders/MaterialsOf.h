@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "loaders/Diagnostics.h"
-#include "loaders/Dialect.h"
-#include "loaders/DocumentSet.h"
-#include "loaders/MaterialLoader.h"
+#include "loaders/document/Diagnostics.h"
+#include "loaders/document/DocumentSet.h"
+#include "loaders/materials/MaterialLoader.h"
+#include "loaders/quirks/Dialect.h"
 
 namespace walkcycle {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "io/ImageWriter.h"
 #include "loaders/LoadText.h"
+#include "walkcycle/io/Image.h"
 
 namespace walkcycle {
 

@@ -1,4 +1,4 @@
-#include "TestFiles.h"
+#include "loaders/TestFiles.h"
 
 #include <atomic>
 

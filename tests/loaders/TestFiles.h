@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/File.h"
+#include "walkcycle/io/File.h"
 
 namespace walkcycle {
 

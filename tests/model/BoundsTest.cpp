@@ -1,7 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "model/Bounds.h"
+#include "walkcycle/model/Bounds.h"
 
 namespace walkcycle {
 namespace {

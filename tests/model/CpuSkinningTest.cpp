@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "model/CpuSkinning.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/Diagnostic.h"
+#include "walkcycle/model/Diagnostic.h"
 
 namespace walkcycle {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 
-#include "model/LimitedInfluences.h"
+#include "walkcycle/model/Influences.h"
 
 namespace walkcycle {
 namespace {

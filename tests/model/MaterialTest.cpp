@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/Material.h"
+#include "walkcycle/model/Material.h"
 
 namespace walkcycle {
 namespace {

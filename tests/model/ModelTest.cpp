@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 namespace walkcycle {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/SceneState.h"
+#include "walkcycle/model/SceneState.h"
 
 namespace walkcycle {
 namespace {

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "platform/HeadlessContext.h"
-#include "platform/NoGraphicsDevice.h"
+#include "walkcycle/platform/HeadlessContext.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
 
 namespace walkcycle {
 namespace {

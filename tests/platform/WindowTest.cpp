@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "platform/NoGraphicsDevice.h"
-#include "platform/Window.h"
+#include "walkcycle/platform/NoGraphicsDevice.h"
+#include "walkcycle/platform/Window.h"
 
 namespace walkcycle {
 namespace {

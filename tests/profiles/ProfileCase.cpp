@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "loaders/ColladaLoader.h"
+#include "walkcycle/loaders/ColladaLoader.h"
 
 namespace walkcycle {
 

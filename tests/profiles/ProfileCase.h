@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
-#include "model/Diagnostic.h"
-#include "profiles/Profile.h"
+#include "walkcycle/model/Diagnostic.h"
+#include "walkcycle/profiles/Profile.h"
 
 // A document that every target takes as it is, changed in one place per test.
 namespace walkcycle {

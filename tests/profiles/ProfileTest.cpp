@@ -1,8 +1,8 @@
 #include <set>
 
 #include "ProfileCase.h"
-#include "loaders/Diagnostics.h"
-#include "profiles/Profile.h"
+#include "loaders/document/Diagnostics.h"
+#include "walkcycle/profiles/Profile.h"
 
 namespace walkcycle {
 namespace {

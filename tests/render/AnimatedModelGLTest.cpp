@@ -1,8 +1,8 @@
 #include <utility>
 
-#include "render/AnimatedModel.h"
 #include "render/GlTest.h"
 #include "render/TestModels.h"
+#include "walkcycle/render/AnimatedModel.h"
 
 namespace walkcycle {
 namespace {

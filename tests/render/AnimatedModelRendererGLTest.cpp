@@ -4,12 +4,12 @@
 
 #include <epoxy/gl.h>
 
-#include "render/AnimatedModelRenderer.h"
-#include "render/Framebuffer.h"
 #include "render/GlTest.h"
 #include "render/ModelResource.h"
 #include "render/Srgb.h"
 #include "render/TestModels.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
+#include "walkcycle/render/Framebuffer.h"
 
 namespace walkcycle {
 namespace {

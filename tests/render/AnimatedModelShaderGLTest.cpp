@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "model/CpuSkinning.h"
 #include "render/AnimatedModelShader.h"
 #include "render/GlTest.h"
 #include "render/TestModels.h"
 #include "render/VertexCapture.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

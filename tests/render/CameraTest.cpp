@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "render/Camera.h"
+#include "walkcycle/render/Camera.h"
 
 namespace walkcycle {
 namespace {

@@ -1,12 +1,12 @@
 #include <memory>
 
-#include "render/AnimatedModelRenderer.h"
-#include "render/CrowdRenderer.h"
-#include "render/Framebuffer.h"
 #include "render/GlTest.h"
-#include "render/GraphicsError.h"
 #include "render/ModelResource.h"
 #include "render/TestModels.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
+#include "walkcycle/render/CrowdRenderer.h"
+#include "walkcycle/render/Framebuffer.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <epoxy/gl.h>
 
-#include "render/Framebuffer.h"
 #include "render/GlTest.h"
+#include "walkcycle/render/Framebuffer.h"
 
 namespace walkcycle {
 namespace {

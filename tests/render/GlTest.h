@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "io/File.h"
-#include "io/ImageWriter.h"
-#include "platform/HeadlessContext.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/io/Image.h"
+#include "walkcycle/platform/HeadlessContext.h"
 
 namespace walkcycle {
 

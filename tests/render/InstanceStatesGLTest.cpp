@@ -1,9 +1,9 @@
 #include <vector>
 
-#include "model/CpuSkinning.h"
 #include "render/GlTest.h"
 #include "render/InstanceStates.h"
 #include "render/TestModels.h"
+#include "walkcycle/model/CpuSkinning.h"
 
 namespace walkcycle {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "render/GlTest.h"
-#include "render/GraphicsError.h"
 #include "render/ShaderProgram.h"
+#include "walkcycle/render/RenderOptions.h"
 
 namespace walkcycle {
 namespace {

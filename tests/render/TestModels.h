@@ -6,7 +6,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/Model.h"
+#include "walkcycle/model/Model.h"
 
 // Small models, made here rather than loaded: loaders and render never meet.
 namespace walkcycle::testing_models {

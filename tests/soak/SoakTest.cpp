@@ -3,14 +3,14 @@
 
 #include <unistd.h>
 
-#include "animation/Animator.h"
-#include "io/File.h"
-#include "loaders/ColladaLoader.h"
-#include "render/AnimatedModel.h"
-#include "render/AnimatedModelRenderer.h"
-#include "render/Camera.h"
-#include "render/Framebuffer.h"
 #include "render/GlTest.h"
+#include "walkcycle/animation/Animator.h"
+#include "walkcycle/io/File.h"
+#include "walkcycle/loaders/ColladaLoader.h"
+#include "walkcycle/render/AnimatedModel.h"
+#include "walkcycle/render/AnimatedModelRenderer.h"
+#include "walkcycle/render/Camera.h"
+#include "walkcycle/render/Framebuffer.h"
 
 // What runs for days: here it runs for minutes, and must end as it began.
 namespace walkcycle {

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <walkcycle/animation/Animation.h>
+#include <walkcycle/animation/Pose.h>
+
+namespace walkcycle {
+
+// What a clip does at its end: stay there, start again, or play back to its start.
+enum class LoopMode { Once, Loop, PingPong };
+
+// Plays an Animation on a Skeleton, as the series' Animator does: each update() increases the clip's time, blends
+// the key frames around that time into a pose, and turns the pose into one transform per joint. Where the Java makes
+// maps of names for each frame, this walks arrays and reuses their memory. Keeps pointers to the skeleton and the
+// animation, which must outlive it.
+class Animator {
+public:
+    // `restParameters` are the values of Model::parameters at rest; may be empty.
+    explicit Animator(const Skeleton& skeleton, std::span<const float> restParameters = {});
+    explicit Animator(const Skeleton&& temporary, std::span<const float> restParameters = {}) = delete;
+
+    // Starts a clip: at its start, or at its end if it plays once and backwards.
+    void doAnimation(const Animation& animation);
+    void doAnimation(const Animation&& temporary) = delete;
+
+    // Plays on for `seconds` (negative: backwards), times the speed.
+    void update(double seconds);
+
+    // Seeks to where the clip is after playing for `seconds` from its start. Within the clip's length that is its
+    // time; beyond it, the loop mode decides.
+    void setTime(double seconds);
+
+    // Moves to a later (negative: an earlier) time of the clip, whatever the speed and the direction of playing.
+    // Stops at the clip's ends, unless it loops.
+    void step(double seconds);
+
+    // Seeks to a time of the document's timeline, whatever the loop mode: before the clip its first pose holds, after
+    // it its last.
+    void sampleAt(double documentSeconds);
+
+    static constexpr double kSlowest = 1.0 / 128.0, kFastest = 128.0;
+
+    // A factor: 1 is the clip's own speed, 0 stands still, negative plays backwards. Clamped to kSlowest and kFastest
+    // in size; NaN changes nothing.
+    void setSpeed(double speed);
+    double speed() const { return speed_; }
+
+    void setLoopMode(LoopMode mode);  // keeps the time
+    LoopMode loopMode() const { return loopMode_; }
+
+    double time() const;  // seconds since the clip's start: 0 to its length
+    bool atEnd() const;   // the clip plays once and has arrived: update() changes nothing any more
+    const Animation* animation() const { return animation_; }
+    const Pose& pose() const { return pose_; }
+    const std::vector<glm::mat4>& modelTransforms() const { return modelTransforms_; }
+    const std::vector<float>& parameters() const { return parameters_; }
+
+private:
+    void increaseAnimationTime(double seconds);
+    void calculateCurrentAnimationPose(double documentSeconds);
+    void applyPoseToJoints();
+    double lengthInSeconds() const;
+    double timeInDocument() const;
+
+    const Skeleton* skeleton_;
+    const Animation* animation_ = nullptr;
+    LoopMode loopMode_ = LoopMode::Loop;
+    double speed_ = 1.0;
+    double animationTime_ = 0.0;  // 0 to the clip's length; on a PingPong's way back, to twice the length
+    Pose restPose_, pose_;
+    std::vector<float> restParameters_, parameters_;
+    std::vector<glm::mat4> modelTransforms_;  // joint space -> model space, per joint
+};
+
+// The channel's transform at a time of the document's timeline. The channel must have keyFrames.
+JointTransform sample(const Channel& channel, double seconds);
+
+// The time within [0, length). A clip of a single pose has no length and stays at its start.
+double loop(double seconds, double length);
+
+}  // namespace walkcycle

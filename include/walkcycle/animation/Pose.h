@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <walkcycle/animation/Joint.h>
+#include <walkcycle/animation/JointTransform.h>
+
+namespace walkcycle {
+
+// Where every joint of a skeleton stands relative to its parent at one moment. A joint is either a
+// JointTransform or, where that cannot hold it (shear, mirroring, a static stack kept exactly), a matrix.
+class Pose {
+public:
+    Pose() = default;
+    explicit Pose(const Skeleton& skeleton);  // the rest pose: each joint's localBindTransform
+
+    std::size_t size() const { return matrices_.size(); }
+    void set(std::size_t joint, const JointTransform& transform) { matrices_[joint] = transform.toMatrix(); }
+    void set(std::size_t joint, const glm::mat4& matrix) { matrices_[joint] = matrix; }
+    const glm::mat4& localTransform(std::size_t joint) const { return matrices_[joint]; }
+
+private:
+    std::vector<glm::mat4> matrices_;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "loaders/context/LoadContext.h"
+#include "loaders/curves/Curve.h"
+#include "loaders/curves/CurveBuilder.h"
+
+namespace walkcycle {
+
+// Reads <sampler> elements, each once, in whichever document they and their sources are.
+class SamplerReader {
+public:
+    explicit SamplerReader(const LoadContext& context) : context_(context) {}
+
+    // Returns an index into curves(), or -1 (and reports why) if the sampler has nothing to play.
+    int read(XmlNode sampler);
+
+    std::vector<Curve>& curves() { return curves_; }
+
+private:
+    bool readKeys(XmlNode sampler, CurveKeys& keys);
+    void readInfinity(XmlNode sampler, Curve& curve);
+    void readInterpolations(XmlNode sampler, XmlNode source, CurveKeys& keys);
+    void readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys);
+    void fixTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys);
+
+    const LoadContext& context_;
+    std::unordered_map<XmlNode, int> read_;
+    std::vector<Curve> curves_;
+    std::uint64_t keyNumbers_ = 0;
+};
+
+}  // namespace walkcycle

@@ -1,0 +1,300 @@
+#include "loaders/geometry/PrimitiveReader.h"
+
+#include <algorithm>
+#include <array>
+
+#include "loaders/text/NumberParser.h"
+#include "loaders/text/Words.h"
+
+namespace walkcycle {
+namespace {
+
+enum class Kind { Triangles, Polylist, Polygons, Trifans, Tristrips, Lines, Linestrips };
+
+struct KindName {
+    const char* name;
+    Kind kind;
+};
+constexpr std::array<KindName, 7> kKinds{{{"triangles", Kind::Triangles},
+                                          {"polylist", Kind::Polylist},
+                                          {"polygons", Kind::Polygons},
+                                          {"trifans", Kind::Trifans},
+                                          {"tristrips", Kind::Tristrips},
+                                          {"lines", Kind::Lines},
+                                          {"linestrips", Kind::Linestrips}}};
+
+const KindName* kindOf(XmlNode element) {
+    const auto found =
+        std::find_if(kKinds.begin(), kKinds.end(), [&](const KindName& k) { return element.is(k.name); });
+    return found == kKinds.end() ? nullptr : &*found;
+}
+
+// Of a fan or a strip, which the reader cuts: which corner of its <p> the n-th of the cut-off triangles' or lines' was.
+std::size_t cornerBeforeCut(Kind kind, std::size_t corner) {
+    const std::size_t size = kind == Kind::Linestrips ? 2 : 3;
+    const std::size_t ring = corner / size, place = corner % size;
+    if (kind == Kind::Trifans && place == 0) return 0;
+    const bool turned = kind == Kind::Tristrips && ring % 2 == 1 && place < 2;
+    return ring + (turned ? 1 - place : place);
+}
+
+bool isCut(Kind kind) {
+    return kind == Kind::Trifans || kind == Kind::Tristrips || kind == Kind::Linestrips;
+}
+
+// The place of a corner of a fan or a strip.
+CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::size_t corner,
+                          std::size_t offset) {
+    const std::size_t size = kind == Kind::Linestrips ? 2 : 3, stride = primitive.inputs.stride;
+    for (XmlNode p : primitive.element.children("p")) {
+        std::string joined;
+        const std::size_t held = countWords(p.rawText(joined)) / stride;
+        const std::size_t cut = held < size ? 0 : (held - size + 1) * size;
+        if (corner < cut) return {p, p.lineOfWord(cornerBeforeCut(kind, corner) * stride + offset)};
+        corner -= cut;
+    }
+    return {primitive.element, primitive.element.line()};
+}
+
+// Reads one primitive; its members are what the steps share.
+class Reader {
+public:
+    Reader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
+        : kind_(kind), context_(context), pieceRead_(context.pieceRead()) {
+        out_.element = element;
+        out_.inputs = readPrimitiveInputs(element, vertices, context);
+        const bool lines = kind == Kind::Lines || kind == Kind::Linestrips;
+        out_.kind = lines ? Primitive::Lines : Primitive::Triangles;
+    }
+
+    PrimitiveCorners read() {
+        switch (kind_) {
+            case Kind::Triangles:
+                readRuns(3);
+                break;
+            case Kind::Lines:
+                readRuns(2);
+                break;
+            case Kind::Polylist:
+                readPolylist();
+                break;
+            case Kind::Polygons:
+            case Kind::Trifans:
+            case Kind::Tristrips:
+            case Kind::Linestrips:
+                readLists();
+                break;
+        }
+        checkCount();
+        if (tooSmall_ > 0)
+            context_.diagnostics.report(Code::FaceTooSmall, out_.element,
+                                        {std::to_string(tooSmall_), std::string(out_.element.name())},
+                                        firstTooSmall_.line());
+        return std::move(out_);
+    }
+
+private:
+    std::size_t stride() const { return out_.inputs.stride; }
+
+    // Appends the numbers of a <p> or <h>, whole groups of corners only, and says how many corners that were.
+    std::size_t appendCorners(XmlNode p, std::size_t cornersPerGroup = 1) {
+        const std::size_t before = out_.indices.size();
+        faults_.clear();
+        parseNumbers(p.rawText(joined_), out_.indices, faults_, pieceRead_);
+        if (!faults_.empty()) readInts(p, context_.diagnostics);  // says which, and in which line
+        const std::size_t numbers = out_.indices.size() - before;
+        const std::size_t group = cornersPerGroup * stride();
+        if (numbers % group != 0)
+            context_.diagnostics.report(
+                Code::IncompleteFace, p,
+                {std::string(p.name()), std::to_string(numbers), std::to_string(group)},
+                p.lineOfWord(numbers - 1));
+        const std::size_t corners = numbers / group * cornersPerGroup;
+        out_.indices.resize(before + corners * stride());
+        return corners;
+    }
+
+    // <triangles> and <lines>: every `size` corners are one.
+    void readRuns(std::size_t size) {
+        for (XmlNode p : out_.element.children("p")) {
+            const std::size_t first = out_.cornerCount();
+            const std::size_t corners = appendCorners(p, size);
+            out_.rings.reserve(out_.rings.size() + corners / size);
+            for (std::size_t c = 0; c < corners; c += size) addRing(first + c, size, false);
+        }
+        held_ = out_.rings.size();
+    }
+
+    void readPolylist() {
+        const XmlNode vcount = out_.element.child("vcount");
+        std::size_t held = 0;
+        for (XmlNode p : out_.element.children("p")) held += appendCorners(p);
+        if (!vcount) {
+            if (held > 0)
+                context_.diagnostics.report(Code::MissingElement, out_.element, {"polylist", "vcount"});
+            out_.indices.clear();
+            return;
+        }
+        const std::vector<std::int32_t> sizes = readInts(vcount, context_.diagnostics, pieceRead_);
+        held_ = sizes.size();
+        std::size_t first = 0;
+        std::uint64_t wanted = 0;
+        bool fits = true;  // where one does not, nobody knows where the next begins
+        for (const std::int32_t size : sizes) {
+            const auto count = static_cast<std::size_t>(std::max(size, 0));
+            wanted += count;
+            fits = fits && size >= 0 && count <= held - first;
+            if (!fits) continue;
+            addFace(vcount, first, count);
+            first += count;
+        }
+        if (wanted != held || !fits)
+            context_.diagnostics.report(Code::VcountMismatch, vcount,
+                                        {std::to_string(wanted), std::to_string(held)}, vcount.textLine());
+        out_.indices.resize(first * stride());
+    }
+
+    // The primitives in which each <p> is a polygon, fan, strip or line of its own.
+    void readLists() {
+        for (XmlNode child : out_.element.children()) {
+            const bool holed = child.is("ph") && kind_ == Kind::Polygons;
+            if (!holed && !child.is("p")) continue;
+            ++held_;
+            const std::size_t first = out_.cornerCount();
+            const std::size_t corners = appendCorners(holed ? child.child("p") : child);
+            if (kind_ == Kind::Polygons) {
+                const bool added = addFace(child, first, corners);
+                if (holed && added) addHoles(child);
+            } else {
+                cut(child, first, corners);
+            }
+        }
+    }
+
+    void addHoles(XmlNode ph) {
+        for (XmlNode h : ph.children("h")) {
+            const std::size_t first = out_.cornerCount();
+            const std::size_t corners = appendCorners(h);
+            countCorners(corners);
+            if (corners >= 3)
+                addRing(first, corners, true);
+            else
+                skip(h);
+        }
+    }
+
+    // Rewrites the corners from `first` on, a fan or strip, as one run of corners per triangle or line.
+    void cut(XmlNode p, std::size_t first, std::size_t corners) {
+        const std::size_t size = kind_ == Kind::Linestrips ? 2 : 3;
+        const auto from = out_.indices.begin() + static_cast<std::ptrdiff_t>(first * stride());
+        strip_.assign(from, out_.indices.end());
+        out_.indices.erase(from, out_.indices.end());
+        if (corners < size) return skip(p);
+        for (std::size_t i = 0; i + size <= corners; ++i) {
+            addRing(out_.cornerCount(), size, false);
+            const bool odd = i % 2 == 1;  // every second triangle of a strip turns the other way
+            if (kind_ == Kind::Linestrips) copy({i, i + 1});
+            if (kind_ == Kind::Trifans) copy({0, i + 1, i + 2});
+            if (kind_ == Kind::Tristrips) copy({odd ? i + 1 : i, odd ? i : i + 1, i + 2});
+        }
+    }
+
+    void copy(std::initializer_list<std::size_t> corners) {
+        for (const std::size_t c : corners)
+            out_.indices.insert(out_.indices.end(),
+                                strip_.begin() + static_cast<std::ptrdiff_t>(c * stride()),
+                                strip_.begin() + static_cast<std::ptrdiff_t>((c + 1) * stride()));
+    }
+
+    bool addFace(XmlNode from, std::size_t first, std::size_t corners) {
+        polygonCorners_ = 0;
+        countCorners(corners);
+        if (corners >= 3)
+            addRing(first, corners, false);
+        else
+            skip(from);
+        return corners >= 3;
+    }
+
+    void skip(XmlNode tooSmall) {
+        if (++tooSmall_ == 1) firstTooSmall_ = tooSmall;
+    }
+
+    void countCorners(std::size_t corners) {
+        polygonCorners_ += corners;
+        context_.require(polygonCorners_, &LoadLimits::maxPolygonCorners, out_.element);
+    }
+
+    void addRing(std::size_t first, std::size_t corners, bool hole) {
+        out_.rings.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(corners), hole});
+    }
+
+    // `count` is redundant. It says nothing that the lists do not, but where they disagree, something was lost.
+    void checkCount() {
+        const std::string name(out_.element.name());
+        if (!out_.element.has("count")) {
+            context_.diagnostics.report(Code::MissingAttribute, out_.element, {name, "count"});
+            return;
+        }
+        const std::string_view text = out_.element.attribute("count");
+        std::uint64_t count = 0;
+        if (!parseUnsigned(text, count))
+            context_.diagnostics.report(Code::NumberInvalid, out_.element, {std::string(text), name});
+        else if (count != held_)
+            context_.diagnostics.report(Code::CountMismatch, out_.element,
+                                        {name, std::string(text), "primitives", std::to_string(held_)});
+    }
+
+    Kind kind_;
+    const LoadContext& context_;
+    PieceRead pieceRead_;
+    PrimitiveCorners out_;
+    std::uint64_t held_ = 0;  // faces, fans, strips or lines in the file
+    std::size_t tooSmall_ = 0;
+    XmlNode firstTooSmall_;             // what said so
+    std::uint64_t polygonCorners_ = 0;  // of the current one, with its holes
+    std::string joined_;
+    std::vector<NumberFault> faults_;
+    std::vector<std::int32_t> strip_;
+};
+
+}  // namespace
+
+bool isPrimitive(XmlNode element) {
+    return kindOf(element) != nullptr;
+}
+
+PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context) {
+    return Reader(element, kindOf(element)->kind, vertices, context).read();
+}
+
+double textBytes(const PrimitiveCorners& primitive) {
+    double bytes = 0.0;
+    std::string joined;
+    for (XmlNode p : primitive.element.children("p")) bytes += static_cast<double>(p.rawText(joined).size());
+    return bytes;
+}
+
+CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
+    const Kind kind = kindOf(primitive.element)->kind;
+    if (isCut(kind)) return findCutCorner(primitive, kind, corner, offset);
+    std::size_t number = corner * primitive.inputs.stride + offset;
+    CornerPlace place{primitive.element, primitive.element.line()};
+    const auto lookIn = [&](XmlNode p) {
+        std::string joined;
+        const std::size_t numbers = countWords(p.rawText(joined));
+        if (number < numbers) place = {p, p.lineOfWord(number)};
+        const bool found = number < numbers;
+        number -= std::min(number, numbers);
+        return found;
+    };
+    for (XmlNode child : primitive.element.children()) {
+        if (child.is("p") && lookIn(child)) return place;
+        if (!child.is("ph")) continue;
+        for (XmlNode ring : child.children())
+            if ((ring.is("p") || ring.is("h")) && lookIn(ring)) return place;
+    }
+    return place;
+}
+
+}  // namespace walkcycle
