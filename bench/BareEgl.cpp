@@ -2,6 +2,7 @@
 // read back. What `walkcycle render` takes beyond this is its own.
 //
 //     bench_bareegl [FILE]    FILE gets the raw pixels
+#include <cstddef>
 #include <cstdio>
 #include <vector>
 

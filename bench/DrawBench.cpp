@@ -3,11 +3,17 @@
 // A frame and its pixels against a bare textured draw of the same triangles; many walkers one by one, and as a crowd.
 // Times are of the whole process, since software OpenGL draws with several threads.
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>

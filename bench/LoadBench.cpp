@@ -1,6 +1,11 @@
 // Loading, against what it cannot be faster than (reading, parsing the XML, parsing the numbers) and against other
 // importers:  bench_load FILE... [--benchmark_...]
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <benchmark/benchmark.h>
 #include <tinyxml2.h>
 

@@ -1,6 +1,9 @@
 // Sampling a clip, walking the hierarchy and making the palette, per character:  bench_pose [FILE] [--benchmark_...]
 // pose/series is the way of the videos, pose/animator ours for one character, pose/crowd ours for many.
 
+#include <cstdint>
+#include <vector>
+
 #include <benchmark/benchmark.h>
 
 #include "SeriesAnimator.h"

@@ -1,5 +1,8 @@
 #include "SeriesAnimator.h"
 
+#include <cstddef>
+#include <utility>
+
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtx/matrix_decompose.hpp>
 

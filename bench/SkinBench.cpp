@@ -2,8 +2,11 @@
 //   bench_skin [--benchmark_...]
 // A mesh of 2,000 vertices, whose bytes fit into the cache, each vertex with its own position and four influences.
 
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 #include <glm/gtc/matrix_transform.hpp>

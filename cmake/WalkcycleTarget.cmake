@@ -1,4 +1,4 @@
-# One target per folder of src: walkcycle_add_library(model DEPENDS walkcycle::animation) makes walkcycle::model.
+# How a folder of src becomes a target, and what all of them are compiled with.
 
 add_library(walkcycle_warnings INTERFACE)
 target_compile_options(walkcycle_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion)
@@ -50,16 +50,23 @@ add_library(walkcycle_precompiled OBJECT "${PROJECT_SOURCE_DIR}/cmake/Precompile
 target_link_libraries(walkcycle_precompiled PRIVATE walkcycle_warnings glm::glm)
 walkcycle_add_precompiled(walkcycle_precompiled)
 
+# What only Walkcycle's own code may include: the private headers, below src.
+add_library(walkcycle_private INTERFACE)
+target_include_directories(walkcycle_private INTERFACE "${PROJECT_SOURCE_DIR}/src")
+
+# walkcycle_add_library(model DEPENDS walkcycle_animation) makes walkcycle_model of src/model, rooms included: a static
+# library that our own code links, whatever WalkcycleLibraries.cmake makes of it for users.
 function(walkcycle_add_library folder)
     cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h"
+        "${PROJECT_SOURCE_DIR}/include/walkcycle/${folder}/*.h")
     add_library(walkcycle_${folder} STATIC ${sources})
-    add_library(walkcycle::${folder} ALIAS walkcycle_${folder})
     set_target_properties(walkcycle_${folder} PROPERTIES EXPORT_NAME ${folder} LINKER_LANGUAGE CXX)
     target_compile_features(walkcycle_${folder} PUBLIC cxx_std_20)
     target_include_directories(walkcycle_${folder} PUBLIC
-        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/walkcycle>)
-    target_link_libraries(walkcycle_${folder} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:walkcycle_warnings>)
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    target_link_libraries(walkcycle_${folder} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS}
+        $<BUILD_INTERFACE:walkcycle_private> $<BUILD_INTERFACE:walkcycle_warnings>)
     walkcycle_precompile(walkcycle_${folder} walkcycle_precompiled)
 endfunction()

@@ -1,4 +1,8 @@
 // A thousand walkers, each at its own place and moment of the walk, in one picture.
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <walkcycle/walkcycle.h>
 

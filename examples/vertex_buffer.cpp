@@ -1,7 +1,10 @@
 // A mesh as one's own renderer takes it: vertices with at most four influences, ready for a vertex buffer, and what the
 // limit costs while the model moves. Without OpenGL.
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <vector>
 
 #include <walkcycle/animation/Animator.h>
 #include <walkcycle/loaders/ColladaLoader.h>

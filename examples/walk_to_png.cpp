@@ -1,5 +1,6 @@
 // A moment of the walk as a picture, without a window.
 #include <cstdio>
+#include <exception>
 
 #include <walkcycle/walkcycle.h>
 

@@ -1,6 +1,9 @@
 // Any text as a document, read with its number lists cut out and the plain way: both must see the same.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "Documents.h"
 #include "Require.h"

@@ -1,5 +1,8 @@
 // Any bytes as a picture.
 
+#include <cstddef>
+#include <cstdint>
+
 #include "Require.h"
 #include "io/ImageDecoder.h"
 

@@ -1,7 +1,11 @@
 // Any text as the inside of a document: every <source> in it as numbers and as names, and every <input>.
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <type_traits>
 
 #include "Documents.h"
 #include "Require.h"

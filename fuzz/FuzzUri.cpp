@@ -1,5 +1,9 @@
 // Any bytes as a URI.
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 #include "Require.h"
 #include "io/Uri.h"
 

@@ -1,5 +1,9 @@
 // Any bytes as an archive, zip or gzip.
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 #include "Require.h"
 #include "io/Archive.h"
 

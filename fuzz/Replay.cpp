@@ -1,5 +1,6 @@
 // Runs a fuzz target over files and folders of inputs, without a fuzzer: for ctest, with any compiler.
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

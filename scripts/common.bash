@@ -60,6 +60,8 @@ install() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+release=(-DCMAKE_BUILD_TYPE=Release -DWALKCYCLE_PRECOMPILE=ON)  # the build in build/
+
 # configure FOLDER [CMAKE OPTION...]: Ninja and ccache where they are there; a folder keeps the generator it has.
 configure() {
     local folder=$1 generator=()

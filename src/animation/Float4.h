@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +7,6 @@
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
-
-#include "walkcycle/animation/JointRows.h"
 
 namespace walkcycle {
 
@@ -50,28 +47,6 @@ inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
     b = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
     c = __builtin_shufflevector(abHigh, cdHigh, 0, 1, 4, 5);
     d = __builtin_shufflevector(abHigh, cdHigh, 2, 3, 6, 7);
-}
-
-// An affine matrix in registers, row by row.
-struct Rows {
-    Float4 x, y, z;
-};
-
-// One row of a * b.
-inline Float4 timesRows(Float4 a, const Rows& b) {
-    return splatLane<0>(a) * b.x + splatLane<1>(a) * b.y + splatLane<2>(a) * b.z + onlyLast(a);
-}
-
-inline Rows operator*(const Rows& a, const Rows& b) {
-    return {timesRows(a.x, b), timesRows(a.y, b), timesRows(a.z, b)};
-}
-
-inline Rows load(const JointRows& joint) {
-    return std::bit_cast<Rows>(joint);
-}
-
-inline void store(const Rows& rows, JointRows& joint) {
-    joint = std::bit_cast<JointRows>(rows);
 }
 
 }  // namespace walkcycle

@@ -1,6 +1,6 @@
 #include "walkcycle/animation/JointRows.h"
 
-#include "animation/Float4.h"
+#include "animation/Rows.h"
 
 namespace walkcycle {
 

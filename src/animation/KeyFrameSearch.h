@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "animation/KeyFrame.h"
+#include "walkcycle/animation/KeyFrame.h"
 
 namespace walkcycle {
 

@@ -12,10 +12,8 @@ std::string builtInModel() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     const std::vector<fs::path> places = {
-        folder / "res",                                          // unpacked anywhere
+        folder / "res",                                          // the build folder, or unpacked anywhere
         folder.parent_path() / WALKCYCLE_DATADIR / "walkcycle",  // <prefix>/bin and <prefix>/share
-        folder.parent_path() / "res",                            // build/ in the source tree
-        WALKCYCLE_SOURCE_RES,
     };
     for (const fs::path& place : places)
         if (fs::is_regular_file(place / "walker.dae", error)) return (place / "walker.dae").string();

@@ -3,6 +3,10 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/CheckReport.h"
 #include "app/CodeNames.h"

@@ -1,5 +1,7 @@
 #include "app/CheckReport.h"
 
+#include <cstddef>
+
 #include <nlohmann/json.hpp>
 
 #include "app/Messages.h"

@@ -1,6 +1,7 @@
 #include "app/CodeNames.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace walkcycle {
 namespace {

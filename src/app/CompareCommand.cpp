@@ -1,7 +1,9 @@
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/Commands.h"
 #include "app/ExitCode.h"

@@ -1,6 +1,9 @@
 #include "app/ExactPose.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
+#include <utility>
 
 #include "animation/SkinPlacement.h"
 

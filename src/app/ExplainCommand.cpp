@@ -1,4 +1,5 @@
 #include <memory>
+#include <string>
 
 #include "app/CodeNames.h"
 #include "app/Commands.h"

@@ -1,5 +1,7 @@
 #include "app/FileWatch.h"
 
+#include <utility>
+
 namespace walkcycle {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "app/FramePattern.h"
 
+#include <cstddef>
+
 #include "app/ExitCode.h"
 #include "app/Numbers.h"
 

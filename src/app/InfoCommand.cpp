@@ -1,5 +1,6 @@
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/Commands.h"
 #include "app/ExitCode.h"

@@ -1,5 +1,9 @@
 #include "app/InfoText.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 #include "app/FormatNumber.h"
 #include "app/ModelFacts.h"
 #include "walkcycle/model/Bounds.h"

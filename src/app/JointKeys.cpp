@@ -1,6 +1,8 @@
 #include "app/JointKeys.h"
 
+#include <cstddef>
 #include <unordered_map>
+#include <utility>
 
 namespace walkcycle {
 namespace {

@@ -1,6 +1,9 @@
 #include "app/LoadArguments.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <span>
 
 #include "app/ExitCode.h"
 #include "app/Numbers.h"

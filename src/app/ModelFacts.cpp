@@ -1,6 +1,7 @@
 #include "app/ModelFacts.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace walkcycle {
 namespace {

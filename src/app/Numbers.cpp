@@ -1,8 +1,10 @@
 #include "app/Numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 
 #include "app/ExitCode.h"
 

@@ -1,5 +1,9 @@
 #include "app/ObjWriter.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "app/FormatNumber.h"
 #include "walkcycle/model/CpuSkinning.h"
 

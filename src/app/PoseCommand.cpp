@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "app/Clips.h"
 #include "app/Commands.h"

@@ -1,5 +1,8 @@
 #include "app/PoseWriter.h"
 
+#include <cstddef>
+#include <vector>
+
 #include "animation/RowMajor.h"
 #include "app/JointKeys.h"
 #include "app/JsonText.h"

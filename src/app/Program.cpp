@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 #include <sstream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>

@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <future>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/CameraChoice.h"
 #include "app/Clips.h"

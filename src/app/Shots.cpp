@@ -1,6 +1,7 @@
 #include "app/Shots.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <glm/gtc/constants.hpp>
 

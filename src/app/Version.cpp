@@ -1,3 +1,5 @@
+#include <string>
+
 #include "app/Commands.h"
 #include "walkcycle/platform/HeadlessContext.h"
 #include "walkcycle/platform/NoGraphicsDevice.h"

@@ -1,6 +1,9 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/BuiltInModel.h"
 #include "app/Clips.h"

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <exception>
 #include <filesystem>
+#include <utility>
 
 #include "app/Clips.h"
 #include "app/FormatNumber.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "animation/Float4.h"
+#include "animation/Rows.h"
 
 namespace walkcycle {
 

@@ -1,6 +1,7 @@
 #include "crowd/FastPoser.h"
 
 #include <cassert>
+#include <utility>
 
 #include "animation/SkinPlacement.h"
 #include "crowd/TimelineBuilder.h"

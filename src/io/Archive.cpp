@@ -1,7 +1,10 @@
 #include "io/Archive.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <unordered_map>
+#include <utility>
 
 #include <zip.h>
 

@@ -1,5 +1,9 @@
 #include "walkcycle/io/Bytes.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -7,9 +11,10 @@
 namespace walkcycle {
 namespace {
 
+// Memory for a large file is taken in huge pages if the system has them: with pages of 4 KB, the page faults take as
+// long as reading the file.
+constexpr std::size_t kLarge = std::size_t{8} << 20;
 constexpr std::align_val_t kLargePage{std::size_t{2} << 20};
-
-}  // namespace
 
 void* allocateLarge(std::size_t bytes) {
     void* const memory = ::operator new(bytes, kLargePage);
@@ -19,8 +24,17 @@ void* allocateLarge(std::size_t bytes) {
     return memory;
 }
 
-void freeLarge(void* memory) noexcept {
-    ::operator delete(memory, kLargePage);
+}  // namespace
+
+std::uint8_t* BytesAllocator::allocate(std::size_t count) {
+    return static_cast<std::uint8_t*>(count < kLarge ? ::operator new(count) : allocateLarge(count));
+}
+
+void BytesAllocator::deallocate(std::uint8_t* memory, std::size_t count) noexcept {
+    if (count < kLarge)
+        ::operator delete(memory);
+    else
+        ::operator delete(memory, kLargePage);
 }
 
 }  // namespace walkcycle

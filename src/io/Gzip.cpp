@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <climits>
+#include <cstddef>
+#include <cstdint>
 #include <new>
+#include <string>
 
 #include <zlib.h>
 

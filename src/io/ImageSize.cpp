@@ -1,6 +1,9 @@
 #include "io/ImageSize.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace walkcycle {
 namespace {

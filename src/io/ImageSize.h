@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "walkcycle/io/Image.h"
 
 namespace walkcycle {

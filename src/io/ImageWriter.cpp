@@ -1,8 +1,13 @@
 #include <array>
 #include <climits>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <libdeflate.h>
 #include <webp/encode.h>

@@ -1,6 +1,10 @@
 #include "io/Jpeg.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include <turbojpeg.h>

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "walkcycle/io/Image.h"
 
 namespace walkcycle {

@@ -1,6 +1,7 @@
 #include "io/Uri.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace walkcycle {
 namespace {

@@ -1,6 +1,8 @@
 #include "walkcycle/loaders/ColladaLoader.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include <tinyxml2.h>
 

@@ -1,6 +1,7 @@
 #include "walkcycle/loaders/LoadOptions.h"
 
 #include <cmath>
+#include <cstdint>
 #include <locale>
 #include <sstream>
 

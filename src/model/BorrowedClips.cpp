@@ -1,5 +1,8 @@
+#include <cstddef>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "walkcycle/model/Model.h"
 

@@ -1,6 +1,8 @@
 #include "walkcycle/model/Bounds.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

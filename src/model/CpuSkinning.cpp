@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>

@@ -1,6 +1,7 @@
 #include "model/Deformers.h"
 
 #include <cassert>
+#include <cstddef>
 
 namespace walkcycle {
 namespace {

@@ -1,5 +1,6 @@
 #include "walkcycle/model/Diagnostic.h"
 
+#include <cstddef>
 #include <string_view>
 
 namespace walkcycle {

@@ -1,10 +1,15 @@
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "walkcycle/model/Influences.h"
+#include "walkcycle/model/MeshData.h"
 
 namespace walkcycle {
 namespace {

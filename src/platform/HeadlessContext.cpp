@@ -1,5 +1,6 @@
 #include "walkcycle/platform/HeadlessContext.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <map>
 #include <mutex>

@@ -1,3 +1,4 @@
+#include <string>
 #include <unordered_set>
 
 #include "profiles/Rules.h"

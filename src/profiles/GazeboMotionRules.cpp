@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "profiles/Rules.h"
 

@@ -1,3 +1,5 @@
+#include <string>
+#include <string_view>
 #include <unordered_set>
 
 #include "profiles/Rules.h"

@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <unordered_set>
+#include <vector>
 
 #include "profiles/Rules.h"
 

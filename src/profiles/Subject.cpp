@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <unordered_set>
+#include <utility>
 
 #include "animation/RowMajor.h"
 #include "loaders/text/NumberParser.h"

@@ -1,5 +1,8 @@
 #include "walkcycle/render/AnimatedModel.h"
 
+#include <cstddef>
+#include <utility>
+
 #include "render/ModelResource.h"
 
 namespace walkcycle {

@@ -1,6 +1,8 @@
 #include "walkcycle/render/AnimatedModelRenderer.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>

@@ -1,6 +1,8 @@
 #include "render/AnimatedModelShader.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include <glm/geometric.hpp>

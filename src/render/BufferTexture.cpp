@@ -1,5 +1,7 @@
 #include "render/BufferTexture.h"
 
+#include <cstddef>
+
 namespace walkcycle {
 namespace {
 

@@ -1,6 +1,7 @@
 #include "walkcycle/render/Framebuffer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>

@@ -1,5 +1,7 @@
 #include "render/InstanceStates.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include <glm/geometric.hpp>

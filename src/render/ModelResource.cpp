@@ -1,6 +1,9 @@
 #include "render/ModelResource.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include <glm/geometric.hpp>
 

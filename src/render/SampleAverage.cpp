@@ -1,6 +1,8 @@
 #include "render/SampleAverage.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "render/Srgb.h"
 

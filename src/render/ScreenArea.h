@@ -1,6 +1,7 @@
 #pragma once
 
 #include <climits>
+#include <cstddef>
 #include <vector>
 
 #include <glm/mat4x4.hpp>

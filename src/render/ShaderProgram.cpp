@@ -1,6 +1,7 @@
 #include "render/ShaderProgram.h"
 
 #include <cassert>
+#include <cstddef>
 
 #include "render/ShaderSource.h"
 #include "walkcycle/render/RenderOptions.h"

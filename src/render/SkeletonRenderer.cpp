@@ -1,7 +1,9 @@
 #include "render/SkeletonRenderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 #include <glm/geometric.hpp>

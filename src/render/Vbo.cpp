@@ -1,5 +1,7 @@
 #include "render/Vbo.h"
 
+#include <cstddef>
+
 namespace walkcycle {
 namespace {
 

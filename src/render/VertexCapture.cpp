@@ -1,5 +1,8 @@
 #include "render/VertexCapture.h"
 
+#include <cstddef>
+#include <span>
+
 namespace walkcycle {
 namespace {
 

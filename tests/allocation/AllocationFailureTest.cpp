@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <new>
+#include <string>
 
 #include "allocation/FailingAllocation.h"
 #include "loaders/AnimationText.h"

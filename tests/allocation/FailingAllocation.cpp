@@ -1,6 +1,7 @@
 #include "allocation/FailingAllocation.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 

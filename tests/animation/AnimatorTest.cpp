@@ -1,11 +1,15 @@
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "animation/AllocationCount.h"
+#include "animation/KeyFrameSearch.h"
 #include "walkcycle/animation/Animator.h"
 #include "walkcycle/animation/Skin.h"
 

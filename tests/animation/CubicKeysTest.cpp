@@ -1,3 +1,5 @@
+#include <vector>
+
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 

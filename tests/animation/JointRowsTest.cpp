@@ -1,7 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "animation/Float4.h"
+#include "animation/Rows.h"
 #include "walkcycle/animation/JointRows.h"
 
 namespace walkcycle {

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
+#include <cstddef>
 #include <fstream>
 #include <regex>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

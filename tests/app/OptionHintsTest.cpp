@@ -1,3 +1,5 @@
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "app/CodeNames.h"

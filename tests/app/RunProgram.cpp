@@ -1,5 +1,6 @@
 #include "app/RunProgram.h"
 
+#include <cstdint>
 #include <cstdlib>
 
 #include <fcntl.h>

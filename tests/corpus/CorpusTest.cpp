@@ -2,8 +2,11 @@
 // WALKCYCLE_CTS_DIR (cases of the Khronos conformance suite) and WALKCYCLE_FILES_DIR (any files).
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 

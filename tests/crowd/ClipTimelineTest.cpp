@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "animation/CurvedTransform.h"
-#include "animation/Float4.h"
 #include "crowd/ClipTimeline.h"
 #include "crowd/TimelineBuilder.h"
 

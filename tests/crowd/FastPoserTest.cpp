@@ -1,4 +1,8 @@
+#include <cmath>
+#include <cstddef>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 

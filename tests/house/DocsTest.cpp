@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,9 @@
 #include "LimitsPage.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 #include "walkcycle/loaders/LoadLimits.h"
 
 namespace walkcycle::house {

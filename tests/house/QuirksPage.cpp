@@ -1,6 +1,7 @@
 #include "QuirksPage.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "loaders/quirks/Quirks.h"
 

@@ -1,3 +1,8 @@
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "Snippets.h"

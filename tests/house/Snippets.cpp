@@ -1,6 +1,7 @@
 #include "Snippets.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <regex>
 #include <stdexcept>
@@ -102,8 +103,10 @@ std::vector<Fence> quotingFences(const std::string& page) {
     return fences;
 }
 
-std::string findDefinition(const std::string& source, const std::string& definition) {
-    if (definition == "*") return source;
+std::string findDefinition(const std::string& text, const std::string& definition) {
+    if (definition == "*") return text;
+    const std::string source =
+        std::regex_replace(text, std::regex("WALKCYCLE_API "), "");  // no news to a reader
     const std::regex beginning = beginningOf(definition);
     std::vector<std::size_t> starts;  // of the lines so far
     std::size_t start = 0;

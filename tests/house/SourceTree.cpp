@@ -1,6 +1,7 @@
 #include "SourceTree.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"

@@ -1,7 +1,14 @@
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <map>
+#include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"

@@ -1,5 +1,8 @@
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "loaders/LoadText.h"
 #include "walkcycle/loaders/LoadOptions.h"

@@ -1,7 +1,9 @@
 #include "loaders/LoadText.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <ostream>
+#include <utility>
 
 #include "loaders/text/Words.h"
 #include "walkcycle/animation/Animator.h"

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "loaders/document/Diagnostics.h"
 #include "loaders/document/DocumentSet.h"

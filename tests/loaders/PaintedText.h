@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "loaders/LoadText.h"
 #include "walkcycle/io/Image.h"

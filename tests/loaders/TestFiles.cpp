@@ -1,6 +1,8 @@
 #include "loaders/TestFiles.h"
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 
 #include <unistd.h>
 

@@ -1,9 +1,11 @@
 #include <stdexcept>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 
 #include "walkcycle/model/Influences.h"
+#include "walkcycle/model/MeshData.h"
 
 namespace walkcycle {
 namespace {

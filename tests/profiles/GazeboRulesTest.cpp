@@ -1,3 +1,7 @@
+#include <iterator>
+#include <string>
+#include <vector>
+
 #include "ProfileCase.h"
 
 namespace walkcycle {

@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include "ProfileCase.h"
 
 namespace walkcycle {

@@ -1,7 +1,9 @@
 #include "ProfileCase.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "walkcycle/loaders/ColladaLoader.h"

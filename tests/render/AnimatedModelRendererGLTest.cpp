@@ -1,6 +1,11 @@
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <epoxy/gl.h>
 

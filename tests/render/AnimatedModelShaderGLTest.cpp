@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "render/AnimatedModelShader.h"
 #include "render/GlTest.h"

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>

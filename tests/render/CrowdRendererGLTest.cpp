@@ -1,4 +1,9 @@
+#include <cmath>
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "render/GlTest.h"
 #include "render/ModelResource.h"

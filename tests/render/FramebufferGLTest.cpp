@@ -1,3 +1,4 @@
+#include <array>
 #include <stdexcept>
 
 #include <epoxy/gl.h>

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "render/GlTest.h"
 #include "render/JointPalette.h"
 

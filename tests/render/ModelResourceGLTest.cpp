@@ -1,4 +1,7 @@
+#include <cstddef>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "render/GlTest.h"
 #include "render/ModelResource.h"

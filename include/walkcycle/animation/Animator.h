@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Animation.h>
 #include <walkcycle/animation/Pose.h>
 
@@ -15,7 +16,7 @@ enum class LoopMode { Once, Loop, PingPong };
 // the key frames around that time into a pose, and turns the pose into one transform per joint. Where the Java makes
 // maps of names for each frame, this walks arrays and reuses their memory. Keeps pointers to the skeleton and the
 // animation, which must outlive it.
-class Animator {
+class WALKCYCLE_API Animator {
 public:
     // `restParameters` are the values of Model::parameters at rest; may be empty.
     explicit Animator(const Skeleton& skeleton, std::span<const float> restParameters = {});
@@ -75,9 +76,9 @@ private:
 };
 
 // The channel's transform at a time of the document's timeline. The channel must have keyFrames.
-JointTransform sample(const Channel& channel, double seconds);
+WALKCYCLE_API JointTransform sample(const Channel& channel, double seconds);
 
 // The time within [0, length). A clip of a single pose has no length and stays at its start.
-double loop(double seconds, double length);
+WALKCYCLE_API double loop(double seconds, double length);
 
 }  // namespace walkcycle

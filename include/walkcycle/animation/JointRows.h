@@ -5,7 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
-
+#include <walkcycle/Export.h>
 
 namespace walkcycle {
 
@@ -25,6 +25,6 @@ struct alignas(16) JointRows {
 };
 
 // Moves a character, or several, to where they stand: placement * joint, for each joint of the palette.
-void place(std::span<JointRows> palette, const glm::mat4& placement);
+WALKCYCLE_API void place(std::span<JointRows> palette, const glm::mat4& placement);
 
 }  // namespace walkcycle

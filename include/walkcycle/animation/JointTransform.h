@@ -3,13 +3,14 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <walkcycle/Export.h>
 
 namespace walkcycle {
 
 // Where a joint stands relative to its parent joint: first scaled, then rotated, then moved.
 // (The series' JointTransform, completed by scale.)
 template <typename Number>
-struct BasicJointTransform {
+struct WALKCYCLE_API BasicJointTransform {
     glm::vec<3, Number> position{Number(0)};                                // in the parent's space and units
     glm::qua<Number> rotation{Number(1), Number(0), Number(0), Number(0)};  // w, x, y, z; of unit length
     glm::vec<3, Number> scale{Number(1)};

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Joint.h>
 #include <walkcycle/animation/JointTransform.h>
 
@@ -10,7 +11,7 @@ namespace walkcycle {
 
 // Where every joint of a skeleton stands relative to its parent at one moment. A joint is either a
 // JointTransform or, where that cannot hold it (shear, mirroring, a static stack kept exactly), a matrix.
-class Pose {
+class WALKCYCLE_API Pose {
 public:
     Pose() = default;
     explicit Pose(const Skeleton& skeleton);  // the rest pose: each joint's localBindTransform

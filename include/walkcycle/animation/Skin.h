@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Joint.h>
 #include <walkcycle/animation/JointRows.h>
 
@@ -32,11 +33,11 @@ struct Skin {
 // skin, every entry but the last (which follows the node already) is multiplied from the left by
 // modelTransform[placedBy] * inverse(modelTransform[placedRelativeTo]).
 // `palette` is resized to the skin's joint count; its memory is reused.
-void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
-                    std::vector<glm::mat4>& palette);
+WALKCYCLE_API void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
+                                  std::vector<glm::mat4>& palette);
 
 // The same as rows, into memory of the caller's: one entry per joint of the skin.
-void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
-                    std::span<JointRows> palette);
+WALKCYCLE_API void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
+                                  std::span<JointRows> palette);
 
 }  // namespace walkcycle

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Animation.h>
 #include <walkcycle/animation/Joint.h>
 #include <walkcycle/animation/JointRows.h>
@@ -14,7 +16,7 @@ namespace walkcycle {
 // is all there is to keep of each. The palettes are those of Animator and computePalette, to 1e-6 (of the larger of 1 and
 // the number); docs/performance.md says how much faster they come. The work is shared out to threads in small
 // portions; they start once and sleep between calls.
-class CrowdPoser {
+class WALKCYCLE_API CrowdPoser {
 public:
     // Keeps nothing of its arguments but `threads`: how many work, the calling one included (so 1 starts none). 0: as many
     // as the machine has processors.

@@ -3,51 +3,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <new>
 #include <utility>
 #include <vector>
 
+#include <walkcycle/Export.h>
+
 namespace walkcycle {
 
-// Memory for a large file, in huge pages if the system has them: with pages of 4 KB, the page faults take as
-// long as reading the file. Throws std::bad_alloc.
-void* allocateLarge(std::size_t bytes);
-void freeLarge(void* memory) noexcept;
+// What Bytes is allocated with: bytes that resize() adds stay uninitialised unless a value is given.
+struct WALKCYCLE_API BytesAllocator {
+    using value_type = std::uint8_t;
+    template <typename Other>
+    struct rebind {
+        using other = BytesAllocator;  // there are no other elements
+    };
 
-// An allocator that leaves new elements uninitialised: a buffer that is filled by a read need not be zeroed
-// before.
-template <typename T>
-struct UnfilledAllocator {
-    using value_type = T;
-    static constexpr std::size_t kLarge = (std::size_t{8} << 20) / sizeof(T);
-
-    UnfilledAllocator() = default;
-    template <typename U>
-    UnfilledAllocator(const UnfilledAllocator<U>&) {}
-
-    T* allocate(std::size_t count) {
-        if (count < kLarge) return std::allocator<T>().allocate(count);
-        return static_cast<T*>(allocateLarge(count * sizeof(T)));
+    std::uint8_t* allocate(std::size_t count);  // throws std::bad_alloc
+    void deallocate(std::uint8_t* memory, std::size_t count) noexcept;
+    void construct(std::uint8_t*) {}
+    template <typename Value>
+    void construct(std::uint8_t* at, Value&& value) {
+        std::construct_at(at, static_cast<std::uint8_t>(std::forward<Value>(value)));
     }
-    void deallocate(T* memory, std::size_t count) noexcept {
-        if (count < kLarge)
-            std::allocator<T>().deallocate(memory, count);
-        else
-            freeLarge(memory);
-    }
-    template <typename U>
-    void construct(U* at) {
-        ::new (static_cast<void*>(at)) U;
-    }
-    template <typename U, typename... Arguments>
-    void construct(U* at, Arguments&&... arguments) {
-        std::construct_at(at, std::forward<Arguments>(arguments)...);
-    }
-    friend bool operator==(const UnfilledAllocator&, const UnfilledAllocator&) { return true; }
+    friend bool operator==(const BytesAllocator&, const BytesAllocator&) { return true; }
 };
 
 // The bytes of a file or a picture. resize(n) leaves the bytes that it adds uninitialised; resize(n, 0)
 // zeroes them.
-using Bytes = std::vector<std::uint8_t, UnfilledAllocator<std::uint8_t>>;
+using Bytes = std::vector<std::uint8_t, BytesAllocator>;
 
 }  // namespace walkcycle

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/io/Bytes.h>
 
 namespace walkcycle {
@@ -24,11 +25,11 @@ struct ImageLimits {
 };
 
 // Bytes that are no picture that can be used: what() says why, in one line.
-struct ImageError : std::runtime_error {
+struct WALKCYCLE_API ImageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 // The picture exceeds one of ImageLimits.
-struct ImageTooLarge : ImageError {
+struct WALKCYCLE_API ImageTooLarge : ImageError {
     ImageTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ImageLimits::*passed)
         : ImageError(what), amount(found), limit(passed) {}
     std::uint64_t amount;               // what the file claims
@@ -36,7 +37,7 @@ struct ImageTooLarge : ImageError {
 };
 
 // The bytes of a picture file. Throw ImageError where the picture has no pixels.
-Bytes encodePng(const Image& image);
-Bytes encodeWebp(const Image& image);  // lossless
+WALKCYCLE_API Bytes encodePng(const Image& image);
+WALKCYCLE_API Bytes encodeWebp(const Image& image);  // lossless
 
 }  // namespace walkcycle

@@ -3,13 +3,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/model/Diagnostic.h>
 
 namespace walkcycle {
 
 // Thrown by loadCollada where nothing of the file can be shown, and where the caller cancelled. what() is the reason as
 // one line, in the form of toString(Diagnostic).
-struct LoadError : std::runtime_error {
+struct WALKCYCLE_API LoadError : std::runtime_error {
     // The last of `all`, of which there must be one, is the reason.
     explicit LoadError(std::vector<Diagnostic> all);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstring>
 #include <functional>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/io/Bytes.h>
 #include <walkcycle/loaders/LoadLimits.h>
 #include <walkcycle/model/Model.h>
@@ -29,7 +31,7 @@ concept ByteRange = std::ranges::contiguous_range<const T> && std::ranges::sized
 
 // What a FileResolver gives: the bytes of a file, or that there is no such file. A resolver returns any ByteRange, an
 // std::optional of one, or std::nullopt; the bytes are copied (those of a Bytes that is given away are not).
-class ResolvedFile {
+class WALKCYCLE_API ResolvedFile {
 public:
     ResolvedFile(std::nullopt_t) {}
     ResolvedFile(Bytes bytes) : bytes_(std::move(bytes)) {}
@@ -116,7 +118,7 @@ constexpr bool isUsableUnit(double metersPerUnit) {
 }
 
 // A value of LoadOptions that no load can use. what() names it: "LoadOptions::tolerance is 0; it must be a number over 0".
-struct InvalidOption : std::invalid_argument {
+struct WALKCYCLE_API InvalidOption : std::invalid_argument {
     InvalidOption(const std::string& nameOfOption, const std::string& value, const std::string& whatItMustBe);
 
     std::string option;  // "tolerance", "metersPerUnit", "limits.nesting"
@@ -124,6 +126,6 @@ struct InvalidOption : std::invalid_argument {
 };
 
 // Throws InvalidOption where a value cannot be used; loadCollada begins with it.
-void requireValid(const LoadOptions& options);
+WALKCYCLE_API void requireValid(const LoadOptions& options);
 
 }  // namespace walkcycle

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+
 #include <glm/vec3.hpp>
 
 namespace walkcycle {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/model/Model.h>
 
 namespace walkcycle {
@@ -11,7 +12,7 @@ namespace walkcycle {
 // What the vertex shader does, in plain C++: tests compare the GPU with it, and bounds, poses and baked
 // meshes come from it. Results are in model space. It keeps its work memory between calls, so use one for all
 // instances and all frames.
-class CpuSkinning {
+class WALKCYCLE_API CpuSkinning {
 public:
     CpuSkinning();
     ~CpuSkinning();

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <walkcycle/Export.h>
+
 namespace walkcycle {
 
 // Info: unusual, and handled as it is meant. Warning: the library had to guess. Error: something of the file is lost or
@@ -28,6 +30,6 @@ struct Diagnostic {
 
 // "file:line: severity code: message, in library_geometries/geometry[id=body]/mesh (cure)". A long path loses its
 // beginning, but never its last element with an id; elementPath has all of it.
-std::string toString(const Diagnostic& diagnostic);
+WALKCYCLE_API std::string toString(const Diagnostic& diagnostic);
 
 }  // namespace walkcycle

@@ -3,12 +3,13 @@
 #include <span>
 
 #include <glm/mat4x4.hpp>
+#include <walkcycle/Export.h>
 
 namespace walkcycle {
 
 // The file's own curves and transform stacks, evaluated directly in double precision. The error of the key
 // frames of Model::animations is measured against it, and `pose --exact` prints it.
-class ExactMotion {
+class WALKCYCLE_API ExactMotion {
 public:
     virtual ~ExactMotion() = default;
 

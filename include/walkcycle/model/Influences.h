@@ -1,10 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
+
 #include <glm/mat4x4.hpp>
+#include <walkcycle/Export.h>
 
 namespace walkcycle {
 
@@ -41,12 +43,13 @@ struct LimitedInfluences {
 // The `most` influences of each vertex that weigh most, scaled up so that they sum to one again; of equal ones those that
 // come first. Throws std::invalid_argument where `most` is 0, or the influences are not those of a mesh with so many
 // positions.
-LimitedInfluences limitInfluences(const Influences& influences, const MeshData& mesh, std::size_t most);
+WALKCYCLE_API LimitedInfluences limitInfluences(const Influences& influences, const MeshData& mesh,
+                                                std::size_t most);
 
 // How far limiting moves a mesh in one pose: the largest distance between a vertex that follows all of its influences and
 // the same one that follows the limited ones. In model space, in the unit of the palette's matrices: metres, unless the
 // load converted nothing. `palette` is what computePalette() made of the skin and the pose.
-float limitingError(const LimitedInfluences& limited, const Influences& influences, const MeshData& mesh,
-                    std::span<const glm::mat4> palette);
+WALKCYCLE_API float limitingError(const LimitedInfluences& limited, const Influences& influences,
+                                  const MeshData& mesh, std::span<const glm::mat4> palette);
 
 }  // namespace walkcycle

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 
 #include <glm/vec4.hpp>
+#include <walkcycle/Export.h>
 #include <walkcycle/io/Image.h>
 
 namespace walkcycle {
@@ -65,6 +67,6 @@ struct Material {
 
 // The opacity of the material, from 0 to 1, if its transparent slot has this colour (COLLADA 1.4.1,
 // "Determining transparency (opacity)").
-float opacity(const Material& material, const glm::vec4& transparentColor);
+WALKCYCLE_API float opacity(const Material& material, const glm::vec4& transparentColor);
 
 }  // namespace walkcycle

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Animation.h>
 #include <walkcycle/animation/Joint.h>
 #include <walkcycle/animation/Skin.h>
@@ -91,7 +92,7 @@ struct Parameter {
 };
 
 // Thrown where a clip is asked for by a name that no clip has; what() lists those that there are.
-struct NoSuchClip : std::runtime_error {
+struct WALKCYCLE_API NoSuchClip : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
@@ -101,7 +102,7 @@ struct NoSuchClip : std::runtime_error {
 // with them all that is posed, are in metres with Y up, by Skeleton::rootTransform, unless LoadOptions::convert was off.
 // Times are seconds of the document's timeline. Indices are valid: a file that refers to what is not there is reported,
 // and what refers to it is left out. All numbers are finite.
-struct Model {
+struct WALKCYCLE_API Model {
     std::string file;  // as the caller named it
     Asset asset;
     std::string sceneId;                  // of the <visual_scene> that is shown; empty where it has none
@@ -133,7 +134,7 @@ struct Model {
 };
 
 // Thrown by borrowClips where there is nothing that could be played.
-struct NothingToBorrow : std::runtime_error {
+struct WALKCYCLE_API NothingToBorrow : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
@@ -145,6 +146,6 @@ struct NothingToBorrow : std::runtime_error {
 //
 // The result can be put behind Model::animations, or played by an Animator of the model's skeleton that it outlives.
 // Throws NothingToBorrow, saying which, where `source` has no animation or none of its moving joints is in `model`.
-std::vector<Animation> borrowClips(const Model& source, const Model& model);
+WALKCYCLE_API std::vector<Animation> borrowClips(const Model& source, const Model& model);
 
 }  // namespace walkcycle

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/model/Model.h>
 
 namespace walkcycle {
@@ -10,7 +11,7 @@ namespace walkcycle {
 // The materials, cameras, lights and visibility of a model at one moment. The constructor takes the model's
 // own values; apply() sets those that animated parameters change. (Morph weights are not here: they are read
 // from the parameters.)
-struct SceneState {
+struct WALKCYCLE_API SceneState {
     explicit SceneState(const Model& model);
 
     void apply(const Model& model, std::span<const float> parameters);  // allocates nothing

@@ -3,6 +3,8 @@
 #include <memory>
 #include <string>
 
+#include <walkcycle/Export.h>
+
 namespace walkcycle {
 
 // An OpenGL 3.3 core context without a window or a display, through EGL. The constructor tries each device
@@ -14,7 +16,7 @@ namespace walkcycle {
 //     std::cerr << context.description() << '\n';    // which device it uses
 //
 // Throws NoGraphicsDevice.
-class HeadlessContext {
+class WALKCYCLE_API HeadlessContext {
 public:
     HeadlessContext();
     ~HeadlessContext();

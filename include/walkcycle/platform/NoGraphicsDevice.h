@@ -2,11 +2,13 @@
 
 #include <stdexcept>
 
+#include <walkcycle/Export.h>
+
 namespace walkcycle {
 
 // This machine has nothing to draw with: no EGL device, no display, or no OpenGL 3.3. The message is one
 // line.
-struct NoGraphicsDevice : std::runtime_error {
+struct WALKCYCLE_API NoGraphicsDevice : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <walkcycle/Export.h>
+
 namespace walkcycle {
 
 // Keys as GLFW numbers them; letters and digits are their upper-case ASCII characters.
@@ -45,7 +47,7 @@ enum class MouseButton { Left, Right, Middle, Other };
 //     }
 //
 // Throws NoGraphicsDevice if there is no display or no OpenGL 3.3.
-class Window {
+class WALKCYCLE_API Window {
 public:
     struct Size {
         int width = 0;

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Animator.h>
 #include <walkcycle/model/Bounds.h>
 #include <walkcycle/model/Model.h>
@@ -19,7 +20,7 @@ class ModelResource;
 //     AnimatedModel model(loadCollada("res/walker.dae"));
 //     model.doAnimation(model.animations().front());
 //     model.update(1.0 / 60.0);  // or setTime(seconds into the clip), or sampleAt(seconds of the document)
-class AnimatedModel {
+class WALKCYCLE_API AnimatedModel {
 public:
     explicit AnimatedModel(Model model);
     explicit AnimatedModel(std::shared_ptr<const Model> model);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/render/AnimatedModel.h>
 #include <walkcycle/render/Camera.h>
 #include <walkcycle/render/RenderOptions.h>
@@ -13,7 +14,7 @@ namespace walkcycle {
 //
 //     AnimatedModelRenderer renderer;
 //     renderer.render(model, camera, picture);  // RenderOptions as a fourth argument
-class AnimatedModelRenderer {
+class WALKCYCLE_API AnimatedModelRenderer {
 public:
     AnimatedModelRenderer();
     ~AnimatedModelRenderer();

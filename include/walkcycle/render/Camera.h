@@ -3,6 +3,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/Joint.h>
 #include <walkcycle/model/Bounds.h>
 #include <walkcycle/model/CamerasAndLights.h>
@@ -18,7 +19,7 @@ enum class CameraPreset { Auto, Front, Side, Top, Iso };
 //     Camera::framing(model.bounds(), picture.aspect(), CameraPreset::Side);
 //     Camera::ofScene(scene.cameras[i.camera], animator.modelTransforms()[i.node], skeleton, picture.aspect());
 //     Camera::lookAt(position, focalPoint, up, 30.0f, picture.aspect(), model.bounds());
-struct Camera {
+struct WALKCYCLE_API Camera {
     glm::mat4 view{1.0f};
     glm::mat4 projection{1.0f};
     bool orthographic = false;
@@ -49,6 +50,6 @@ struct Camera {
 };
 
 // Metres per document unit: the scale of the root transform.
-float rootScale(const Skeleton& skeleton);
+WALKCYCLE_API float rootScale(const Skeleton& skeleton);
 
 }  // namespace walkcycle

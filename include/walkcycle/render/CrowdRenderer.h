@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <walkcycle/Export.h>
 #include <walkcycle/animation/JointRows.h>
 #include <walkcycle/render/AnimatedModel.h>
 #include <walkcycle/render/Camera.h>
@@ -28,7 +30,7 @@ namespace walkcycle {
 // A CrowdPoser makes the palettes of a model with a single skinned mesh four times as fast (docs/performance.md). All
 // walkers share the model's materials, lights and morph weights. Transparent walkers are not sorted by
 // distance. Keeps its shaders and work memory, and belongs to the OpenGL context in which it was made.
-class CrowdRenderer {
+class WALKCYCLE_API CrowdRenderer {
 public:
     CrowdRenderer();
     // `maxTexels`: the largest texture buffer; if the palettes do not fit into one, they are drawn in several
@@ -50,9 +52,9 @@ private:
 
 // The number of matrices in a walker's palette: for each mesh instance those of its skin, or, without a skin,
 // one that places it.
-std::size_t jointsPerWalker(const Model& model);
+WALKCYCLE_API std::size_t jointsPerWalker(const Model& model);
 
 // Appends the palette of the model's present pose.
-void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes);
+WALKCYCLE_API void appendPalette(const AnimatedModel& model, std::vector<JointRows>& palettes);
 
 }  // namespace walkcycle

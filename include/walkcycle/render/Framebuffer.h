@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <walkcycle/Export.h>
 #include <walkcycle/io/Image.h>
 #include <walkcycle/render/RenderOptions.h>
 
@@ -13,7 +14,7 @@ namespace walkcycle {
 //     Framebuffer picture(1280, 720);
 //     renderer.render(model, camera, picture);
 //     writeFile("walk.png", encodePng(picture.read()));
-class Framebuffer {
+class WALKCYCLE_API Framebuffer {
 public:
     // Has as many samples as asked for, or as the driver allows. Throws std::runtime_error if the driver
     // refuses the size.
@@ -40,6 +41,6 @@ private:
 };
 
 // The largest width or height that a Framebuffer can have here.
-int maxFramebufferSize();
+WALKCYCLE_API int maxFramebufferSize();
 
 }  // namespace walkcycle

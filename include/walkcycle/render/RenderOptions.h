@@ -1,7 +1,9 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <stdexcept>
+
+#include <glm/vec3.hpp>
+#include <walkcycle/Export.h>
 
 namespace walkcycle {
 
@@ -39,7 +41,7 @@ struct RenderTarget {
 };
 
 // The graphics driver refuses what OpenGL 3.3 promises: a shader does not compile, or there is no room for a picture.
-struct GraphicsError : std::runtime_error {
+struct WALKCYCLE_API GraphicsError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 

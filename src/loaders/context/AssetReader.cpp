@@ -1,6 +1,8 @@
 #include "loaders/context/AssetReader.h"
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,5 +1,7 @@
 #include "loaders/context/LoadContext.h"
 
+#include <cstddef>
+
 #include "loaders/document/LimitCheck.h"
 #include "loaders/document/LoadProgress.h"
 

@@ -1,6 +1,12 @@
 #include "loaders/controllers/ControllerLoader.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "loaders/controllers/MorphLoader.h"
 #include "loaders/sources/Inputs.h"

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "loaders/context/LoadContext.h"
 #include "loaders/controllers/JointFinder.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <string>
 
 #include "loaders/quirks/Dialect.h"
 

@@ -1,7 +1,12 @@
 #include "loaders/controllers/MorphLoader.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "loaders/geometry/LoadedMesh.h"
 #include "walkcycle/model/MorphTargets.h"
 

@@ -1,8 +1,13 @@
 #include "loaders/controllers/SkinLoader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_set>
+#include <vector>
 
 #include <glm/gtc/matrix_inverse.hpp>
 

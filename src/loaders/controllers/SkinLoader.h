@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "loaders/context/LoadContext.h"
 #include "loaders/controllers/JointFinder.h"
 #include "loaders/scene/SceneGraph.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "loaders/context/LoadContext.h"
 #include "walkcycle/model/Influences.h"
 

@@ -1,5 +1,7 @@
 #include "loaders/curves/ChannelTarget.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "loaders/text/NumberParser.h"

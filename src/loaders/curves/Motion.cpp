@@ -1,6 +1,8 @@
 #include "loaders/curves/Motion.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace walkcycle {
 

@@ -1,7 +1,11 @@
 #include "loaders/curves/MotionBuilder.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "loaders/context/AssetReader.h"
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <unordered_map>
+#include <vector>
 
 #include "loaders/context/LoadContext.h"
 #include "loaders/curves/ChannelTarget.h"

@@ -1,6 +1,8 @@
 #include "loaders/curves/ParameterFinder.h"
 
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include "loaders/quirks/Dialect.h"
 

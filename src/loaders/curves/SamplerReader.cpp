@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <numeric>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "loaders/quirks/Dialect.h"
 #include "loaders/sources/Inputs.h"

@@ -1,6 +1,8 @@
 #include "loaders/curves/StackParts.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include <glm/trigonometric.hpp>
 

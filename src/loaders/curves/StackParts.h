@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
 #include "loaders/curves/MatrixParts.h"
 #include "loaders/curves/Motion.h"
 

@@ -1,7 +1,10 @@
 #include "loaders/document/ColladaDocument.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <stdexcept>
+#include <utility>
 
 #include <tinyxml2.h>
 

@@ -1,5 +1,6 @@
 #include "loaders/document/Diagnostics.h"
 
+#include <cstddef>
 #include <utility>
 
 #include "loaders/document/MessageTemplate.h"

@@ -1,7 +1,9 @@
 #include "loaders/document/DocumentSet.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <unordered_map>
+#include <utility>
 
 #include "io/Uri.h"
 #include "loaders/document/KnownElements.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,10 +18,13 @@
 
 namespace walkcycle {
 
+class LoadProgress;
+
 // The document that was asked for and the others that it refers to, each loaded once.
 class DocumentSet {
 public:
-    DocumentSet(const LoadOptions& options, Diagnostics& diagnostics);
+    // `progress`, if not null, is told of each document that is parsed.
+    DocumentSet(const LoadOptions& options, Diagnostics& diagnostics, LoadProgress* progress = nullptr);
     ~DocumentSet();
 
     const ColladaDocument& openFile(const std::string& path);
@@ -41,6 +45,9 @@ public:
     // Where `most` bytes of its start are enough, it may be no more than those.
     std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath,
                                     std::size_t most = SIZE_MAX);
+    // Reads a file that the caller of the load names: from the resolver, if there is one (nothing: it has none), or from
+    // disk. Throws FileError.
+    std::optional<Bytes> readAsGiven(const std::string& path);
     // False where such a folder is certainly not there.
     bool mayHaveBeside(const XmlNode& from, const std::string& folder) const;
     // Where a relative path leads on disk, spelt as readBeside() does; empty where that is not a file that may be read, or

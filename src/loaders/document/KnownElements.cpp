@@ -1,6 +1,7 @@
 #include "loaders/document/KnownElements.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <unordered_map>

@@ -1,5 +1,8 @@
 #include "loaders/document/LimitCheck.h"
 
+#include <cstddef>
+#include <cstdint>
+
 #include "io/TextScan.h"
 #include "loaders/text/Markup.h"
 #include "loaders/text/Words.h"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "loaders/document/Diagnostics.h"
 #include "loaders/document/XmlNode.h"

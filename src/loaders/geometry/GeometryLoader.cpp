@@ -1,8 +1,10 @@
 #include "loaders/geometry/GeometryLoader.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "loaders/geometry/MeshBuilder.h"
 #include "loaders/geometry/PrimitiveReader.h"

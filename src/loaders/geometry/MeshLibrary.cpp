@@ -1,5 +1,7 @@
 #include "loaders/geometry/MeshLibrary.h"
 
+#include <utility>
+
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "loaders/context/AssetReader.h"

@@ -1,7 +1,9 @@
 #include "loaders/geometry/PrimitiveInputs.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "loaders/sources/Inputs.h"
 

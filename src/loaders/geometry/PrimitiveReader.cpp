@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include "loaders/text/NumberParser.h"
 #include "loaders/text/Words.h"

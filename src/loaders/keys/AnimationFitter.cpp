@@ -1,5 +1,6 @@
 #include "loaders/keys/AnimationFitter.h"
 
+#include <cstddef>
 #include <string>
 
 #include "loaders/document/LoadProgress.h"

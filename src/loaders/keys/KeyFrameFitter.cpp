@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <utility>
+#include <vector>
 
-#include "loaders/curves/DecomposedMotion.h"
+#include "loaders/keys/DecomposedMotion.h"
 #include "loaders/keys/RunFitter.h"
 
 namespace walkcycle {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "loaders/curves/Motion.h"
 #include "loaders/keys/KeyForms.h"

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 
+#include "animation/MatrixKeys.h"
 #include "walkcycle/animation/Animator.h"
 
 namespace walkcycle {

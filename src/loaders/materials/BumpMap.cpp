@@ -1,6 +1,8 @@
 #include "loaders/materials/BumpMap.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

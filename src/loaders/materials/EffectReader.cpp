@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "loaders/materials/BumpMap.h"
 #include "loaders/quirks/Dialect.h"
@@ -234,7 +237,7 @@ void EffectReader::readOpaque(XmlNode transparent, Material& material) {
 
 void EffectReader::settleTransparency(XmlNode shader, XmlNode effect, Material& material) {
     if (const XmlNode transparency = shader.child("transparency"))
-        correctTransparency(transparency, effect.id(), context_, material);
+        correctTransparency(transparency, effect.id(), context_.dialects, context_.diagnostics, material);
     const ColorOrTexture& transparent = material.slot(Slot::Transparent);
     material.transparent = opacity(material, transparent.color) < 1.0f;
     const Image* image = imageOf(material, Slot::Transparent);

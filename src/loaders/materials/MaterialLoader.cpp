@@ -1,6 +1,10 @@
 #include "loaders/materials/MaterialLoader.h"
 
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "loaders/materials/EffectReader.h"
 #include "loaders/materials/PicturesAhead.h"

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
+#include <vector>
 
 #include "io/ImageDecoder.h"
 #include "io/Uri.h"

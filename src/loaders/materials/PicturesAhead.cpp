@@ -1,8 +1,11 @@
 #include "loaders/materials/PicturesAhead.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "io/ImageDecoder.h"
 #include "io/Uri.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "walkcycle/model/MeshData.h"
 
 namespace walkcycle {

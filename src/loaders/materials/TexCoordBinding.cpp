@@ -1,5 +1,10 @@
 #include "loaders/materials/TexCoordBinding.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
 #include "loaders/quirks/Dialect.h"
 #include "loaders/text/NumberParser.h"
 

@@ -2,6 +2,12 @@
 
 #include <array>
 #include <cassert>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "loaders/materials/BumpMap.h"
 #include "loaders/quirks/Dialect.h"

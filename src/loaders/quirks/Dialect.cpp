@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 #include "loaders/document/Diagnostics.h"
 #include "loaders/text/Spelling.h"

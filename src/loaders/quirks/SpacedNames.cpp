@@ -1,7 +1,9 @@
 #include "loaders/quirks/SpacedNames.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <unordered_set>
+#include <utility>
 
 namespace walkcycle {
 namespace {

@@ -1,8 +1,7 @@
 #include "loaders/quirks/TransparencyQuirk.h"
 
 #include <charconv>
-
-#include "loaders/quirks/Dialect.h"
+#include <string>
 
 namespace walkcycle {
 namespace {
@@ -14,24 +13,23 @@ std::string shortText(float number) {
 
 }  // namespace
 
-void correctTransparency(XmlNode transparency, std::string_view effect, const LoadContext& context,
-                         Material& material) {
+void correctTransparency(XmlNode transparency, std::string_view effect, Dialects& dialects,
+                         Diagnostics& diagnostics, Material& material) {
     if (material.opaque != OpaqueMode::AOne) return;
     const float written = material.transparency;
     const char* reason = "nothing would be seen of it otherwise";
-    if (context.dialects.follows(Quirk::InvertedTransparency, transparency)) {
+    if (dialects.follows(Quirk::InvertedTransparency, transparency)) {
         material.transparency = 1.0f - written;
         reason = "this exporter writes it the other way round";
-        context.dialects.note(Quirk::InvertedTransparency, transparency);
+        dialects.note(Quirk::InvertedTransparency, transparency);
     }
-    if (material.transparency <= 0.0f && context.dialects.follows(Quirk::ZeroTransparency, transparency)) {
+    if (material.transparency <= 0.0f && dialects.follows(Quirk::ZeroTransparency, transparency)) {
         material.transparency = 1.0f;
-        context.dialects.note(Quirk::ZeroTransparency, transparency);
+        dialects.note(Quirk::ZeroTransparency, transparency);
     }
     if (material.transparency == written) return;
-    context.diagnostics.report(
-        Code::TransparencyInverted, transparency,
-        {std::string(effect), shortText(written), shortText(material.transparency), reason});
+    diagnostics.report(Code::TransparencyInverted, transparency,
+                       {std::string(effect), shortText(written), shortText(material.transparency), reason});
 }
 
 }  // namespace walkcycle

@@ -1,6 +1,13 @@
 #include "loaders/scene/SceneLoader.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "loaders/quirks/Dialect.h"
 #include "loaders/quirks/Extras.h"

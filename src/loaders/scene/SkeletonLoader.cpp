@@ -1,6 +1,11 @@
 #include "loaders/scene/SkeletonLoader.h"
 
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "loaders/context/AssetReader.h"
 #include "loaders/document/LoadProgress.h"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "loaders/context/LoadContext.h"
 #include "loaders/scene/SceneGraph.h"
 #include "walkcycle/model/Model.h"

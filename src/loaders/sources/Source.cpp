@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "loaders/quirks/Dialect.h"
 #include "loaders/quirks/SpacedNames.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "loaders/text/NumberToken.h"
 #include "loaders/text/PlainNumber.h"
@@ -65,7 +66,7 @@ private:
         constexpr std::size_t kPiece = std::size_t{1} << 20;
         if (most - at <= kPiece) return most;
         std::size_t end = at + kPiece;
-        while (end < most && (isSpace(text_[end]) || !isSpace(text_[end - 1]))) ++end;
+        while (end < most && (isWhiteSpace(text_[end]) || !isWhiteSpace(text_[end - 1]))) ++end;
         return end;
     }
 

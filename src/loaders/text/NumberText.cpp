@@ -1,6 +1,8 @@
 #include "loaders/text/NumberText.h"
 
+#include <cstddef>
 #include <cstring>
+#include <utility>
 
 #include "io/TextScan.h"
 #include "loaders/text/Markup.h"

@@ -1,3 +1,6 @@
+#include <optional>
+#include <string>
+
 #include "loaders/LoadText.h"
 #include "loaders/context/AssetReader.h"
 

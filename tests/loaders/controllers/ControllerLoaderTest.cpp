@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/controllers/ControllerLoader.h"
 

@@ -1,3 +1,8 @@
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/controllers/JointFinder.h"
 

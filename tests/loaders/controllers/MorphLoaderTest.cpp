@@ -1,3 +1,8 @@
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 

@@ -1,4 +1,8 @@
 // Skins and morphs whose references, widths and counts are wrong: what is said, where, and what is still shown.
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "loaders/LoadText.h"

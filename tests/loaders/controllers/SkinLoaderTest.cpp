@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
 #include "loaders/LoadText.h"
 #include "loaders/controllers/SkinLoader.h"
 

@@ -1,4 +1,9 @@
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "loaders/LoadText.h"
 #include "loaders/controllers/WeightsReader.h"

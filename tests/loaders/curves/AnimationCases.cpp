@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include "loaders/AnimationText.h"
 #include "loaders/CodeCases.h"
 

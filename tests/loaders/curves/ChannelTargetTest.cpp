@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/curves/ChannelTarget.h"
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include <gmock/gmock.h>
 

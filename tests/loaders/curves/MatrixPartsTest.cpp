@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 

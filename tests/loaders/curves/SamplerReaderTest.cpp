@@ -1,3 +1,9 @@
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "loaders/AnimationText.h"

@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <string>
+#include <string_view>
+
 #include "loaders/LoadText.h"
 #include "loaders/document/ColladaDocument.h"
 

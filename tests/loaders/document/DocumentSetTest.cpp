@@ -1,4 +1,7 @@
 #include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"

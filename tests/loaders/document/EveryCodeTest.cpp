@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "loaders/CodeCases.h"
 #include "loaders/TestFiles.h"

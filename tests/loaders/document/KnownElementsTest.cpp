@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "loaders/CodeCases.h"
 
 namespace walkcycle {

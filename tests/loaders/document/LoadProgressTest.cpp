@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"

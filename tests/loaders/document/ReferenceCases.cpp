@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include "loaders/CodeCases.h"
 
 namespace walkcycle {

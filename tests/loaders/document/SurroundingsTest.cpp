@@ -1,3 +1,7 @@
+#include <filesystem>
+#include <optional>
+#include <string>
+
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"
 #include "loaders/document/Surroundings.h"

@@ -1,4 +1,6 @@
 // What the geometry loader says about damaged primitives, where, and what it still shows.
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "loaders/GeometryFixture.h"

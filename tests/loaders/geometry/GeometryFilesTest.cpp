@@ -1,5 +1,7 @@
 // Whole documents of geometry, as the fixtures hold them.
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>

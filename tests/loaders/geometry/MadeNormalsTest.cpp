@@ -1,3 +1,8 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 

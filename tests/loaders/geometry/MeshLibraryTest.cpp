@@ -1,3 +1,8 @@
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/geometry/MeshLibrary.h"
 

@@ -1,7 +1,10 @@
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,9 @@
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 

@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+
 #include <gtest/gtest.h>
 
 #include "loaders/materials/BumpMap.h"

@@ -1,3 +1,8 @@
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "loaders/PaintedText.h"

@@ -1,4 +1,9 @@
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "loaders/CodeCases.h"
+#include "walkcycle/io/File.h"
 #include "walkcycle/io/Image.h"
 
 namespace walkcycle {

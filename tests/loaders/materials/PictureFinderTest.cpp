@@ -1,10 +1,14 @@
+#include <cstddef>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "loaders/MaterialsOf.h"
 #include "loaders/materials/PictureFinder.h"
+#include "walkcycle/io/File.h"
 #include "walkcycle/io/Image.h"
 
 namespace walkcycle {

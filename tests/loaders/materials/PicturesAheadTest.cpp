@@ -1,4 +1,7 @@
+#include <cstdint>
 #include <random>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 

@@ -1,3 +1,6 @@
+#include <cstddef>
+#include <vector>
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 

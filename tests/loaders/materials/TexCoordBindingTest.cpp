@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "loaders/LoadText.h"

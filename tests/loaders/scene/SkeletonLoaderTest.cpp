@@ -1,3 +1,9 @@
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/scene/SkeletonLoader.h"
 

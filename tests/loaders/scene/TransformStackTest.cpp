@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>

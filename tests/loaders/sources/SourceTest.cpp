@@ -1,3 +1,7 @@
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/sources/Inputs.h"
 #include "loaders/sources/Source.h"

@@ -1,4 +1,6 @@
 // Documents whose markup or references are odd in ways that exporters and hands produce.
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "loaders/LoadText.h"

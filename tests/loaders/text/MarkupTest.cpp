@@ -1,3 +1,7 @@
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "loaders/LoadText.h"
 #include "loaders/text/Markup.h"
 

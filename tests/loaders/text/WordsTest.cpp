@@ -1,3 +1,6 @@
+#include <string>
+#include <string_view>
+
 #include <gmock/gmock.h>
 
 #include "loaders/text/Words.h"

@@ -1,6 +1,7 @@
-#include "loaders/curves/DecomposedMotion.h"
+#include "loaders/keys/DecomposedMotion.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace walkcycle {

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <vector>
 
 #include "crowd/PoserAgreement.h"
 #include "walkcycle/loaders/ColladaLoader.h"
@@ -7,7 +8,7 @@ namespace walkcycle {
 namespace {
 
 // The built-in character and every fixture that has a skin and a clip: what they move is as varied as files are.
-TEST(FastPoserFilesTest, everyClipOfEverySkinAgreesWithThePlainWay) {
+TEST(CrowdFilesTest, everyClipOfEverySkinAgreesWithThePlainWay) {
     std::vector<std::filesystem::path> files{WALKCYCLE_SOURCE_DIR "/res/walker.dae"};
     for (const auto& entry : std::filesystem::recursive_directory_iterator(WALKCYCLE_FIXTURES))
         if (entry.path().extension() == ".dae") files.push_back(entry.path());

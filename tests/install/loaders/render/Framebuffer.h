@@ -1,0 +1,4 @@
+#pragma once
+
+// A header of the user, who has names of his own.
+constexpr int kMyFramebuffer = 1;
