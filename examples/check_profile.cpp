@@ -1,4 +1,4 @@
-// What Gazebo makes of a file: a load with the rules of a profile. Ends with 1 where something is lost there.
+// What Gazebo makes of a file: a load with the rules of a profile. Exit code 1 if Gazebo loses something of the file.
 #include <algorithm>
 #include <cstdio>
 

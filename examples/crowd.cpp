@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     const Animation& walk = model.animations().front();
     model.doAnimation(walk);
 
-    // Where each stands, and when in its walk it is.
+    // Where each walker stands, and at which time of the walk it is.
     std::vector<glm::mat4> places;
     std::vector<double> seconds;
     for (int i = 0; i < kRows * kColumns; ++i) {
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
         seconds.push_back(0.618 * i * walk.lengthInSeconds());
     }
 
-    // This model is one skinned mesh: its palette is all that a walker has.
+    // This model is one skinned mesh, so one palette is all that a walker needs.
     CrowdPoser poser(model.model().skeleton, walk, model.model().skins.front());
     std::vector<JointRows> palettes(seconds.size() * poser.paletteSize());
     poser.pose(seconds, palettes);

@@ -1,4 +1,4 @@
-// Where each joint of a file is, half a second into its motion: loading and posing, without OpenGL.
+// Where each joint of a file is half a second into its motion: loading and posing, without OpenGL.
 #include <cstddef>
 #include <cstdio>
 

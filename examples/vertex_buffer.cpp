@@ -1,5 +1,5 @@
-// A mesh as one's own renderer takes it: vertices with at most four influences, ready for a vertex buffer, and what the
-// limit costs while the model moves. Without OpenGL.
+// A mesh for a renderer of your own: vertices with at most four influences, ready for a vertex buffer, and the error that
+// the limit makes while the model moves. Without OpenGL.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ std::size_t at(int index) {
 
 struct Vertex {
     glm::vec3 position, normal;
-    std::uint32_t joints[4];  // into the palette: computePalette() fills it for a pose
+    std::uint32_t joints[4];  // indices into the palette, which computePalette() fills for a pose
     float weights[4];
 };
 
@@ -33,7 +33,7 @@ std::vector<Vertex> vertexBuffer(const MeshData& mesh, const LimitedInfluences& 
     return vertices;
 }
 
-// The largest error over the whole clip, looked at sixteen times.
+// The largest error at sixteen moments of the clip.
 float errorWhilePlaying(const Model& model, const MeshInstance& instance, const LimitedInfluences& limited) {
     const Deformer& deformer = instance.deformers.front();
     Animator animator(model.skeleton, model.restParameters());

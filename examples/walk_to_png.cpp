@@ -16,7 +16,7 @@ int main(int argc, char** argv) try {
     model.setTime(0.4);  // seconds into the walk; a file without clips stays in its rest pose
     renderer.render(model, Camera::framing(model.bounds(), picture.aspect()), picture);
     savePng(picture.read(), argc > 2 ? argv[2] : "walk.png");
-} catch (const std::exception& error) {  // no such file, nothing in it to show, no graphics device
+} catch (const std::exception& error) {  // no such file, nothing in it that can be shown, no graphics device
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
 }
