@@ -71,7 +71,7 @@ TEST_F(DocumentFaultsTest, memoryThatRunsOutIsOneLine) {
     std::string text = liftedTriangle();
     text.replace(text.find("0 0 0 1 0 0"), 1, numbers);
     const Ran ran = runWalkcycle({"info", file("large.dae", text)}, "", {},
-                                 {"/usr/bin/prlimit", "--as=" + std::to_string(100 << 20)});
+                                 {"/usr/bin/prlimit", "--as=" + std::to_string(80 << 20)});
     if (ran.err.find("AddressSanitizer") != std::string::npos) GTEST_SKIP() << "the sanitizer needs more";
     EXPECT_EQ(ran.exitCode, 1);
     EXPECT_EQ(ran.err, "walkcycle: error: there is not enough memory\n");

@@ -21,7 +21,7 @@ cd /
 # With no file and no display, the message names the built-in character, which must be the installed one.
 env -u DISPLAY -u WAYLAND_DISPLAY "$walkcycle" 2>"$work/no_display" && fail "a window without a display"
 grep -q "$prefix/share/walkcycle/walker.dae" "$work/no_display" || fail "the built-in character: $(cat "$work/no_display")"
-if grep -aq -e "$source" -e "$build" "$walkcycle"; then fail "the installed program names folders of its build"; fi
+if grep -aq -e "$source/" -e "$build/" "$walkcycle"; then fail "the installed program names folders of its build"; fi
 
 mkdir "$work/Käfer und Füchse"
 cd "$work/Käfer und Füchse"  # file names in any language

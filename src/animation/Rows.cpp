@@ -1,5 +1,3 @@
-#include "walkcycle/animation/JointRows.h"
-
 #include "animation/Rows.h"
 
 namespace walkcycle {
