@@ -33,8 +33,8 @@ void readAll(XmlNode root, DocumentSet& documents, Diagnostics& diagnostics, Dia
     for (XmlNode node : elementsOf(root)) {
         if (node.is("source")) {
             bool isIdref = false;
-            check(sources.floats(node, Numbers::Error));
-            check(sources.doubles(node, Numbers::Warning));
+            check(sources.floats(node, NumberFaults::Error));
+            check(sources.doubles(node, NumberFaults::Warning));
             check(sources.names(node, isIdref));
         }
         for (const Input& input : readInputs(node, documents, diagnostics)) REQUIRE(input.element);

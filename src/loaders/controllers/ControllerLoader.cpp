@@ -128,7 +128,7 @@ void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets
         if (input.semantic == "MORPH_TARGET" && input.source)
             names = context_.sources.names(input.source, isIdref);
         if (input.semantic != "MORPH_WEIGHT" || !input.source) continue;
-        if (const auto source = context_.sources.floats(input.source, Numbers::Error))
+        if (const auto source = context_.sources.floats(input.source, NumberFaults::Error))
             weights = source->values;
         const int index = static_cast<int>(model_.morphs.size());
         targets_.morphs.emplace(input.source, index);

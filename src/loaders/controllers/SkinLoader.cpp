@@ -31,7 +31,7 @@ bool isSingular(const glm::mat4& matrix) {
 glm::mat4 readBindShapeMatrix(XmlNode skin, const LoadContext& context) {
     const XmlNode element = skin.child("bind_shape_matrix");
     if (!element) return glm::mat4(1.0f);
-    const std::vector<double> values = readDoubles(element, context.diagnostics, Numbers::Error);
+    const std::vector<double> values = readDoubles(element, context.diagnostics, NumberFaults::Error);
     if (values.size() != 16) {
         context.diagnostics.report(Code::CountMismatch, element,
                                    {"bind_shape_matrix", "16", "values", std::to_string(values.size())});
@@ -44,7 +44,7 @@ glm::mat4 readBindShapeMatrix(XmlNode skin, const LoadContext& context) {
 }
 
 void readInverseBindMatrices(const Input& input, const LoadContext& context, SkinData& data) {
-    const auto source = input.source ? context.sources.floats(input.source, Numbers::Error) : nullptr;
+    const auto source = input.source ? context.sources.floats(input.source, NumberFaults::Error) : nullptr;
     if (!source) return;
     if (source->width != 16) {
         context.diagnostics.report(

@@ -51,7 +51,7 @@ bool readLayout(XmlNode vertexWeights, const LoadContext& context, Layout& layou
             context.diagnostics.report(Code::WeightSetIgnored, input.element, {});
         } else if (input.semantic == "WEIGHT" && input.source) {
             layout.weightOffset = offset;
-            layout.weights = context.sources.floats(input.source, Numbers::Error);
+            layout.weights = context.sources.floats(input.source, NumberFaults::Error);
             if (layout.weights && layout.weights->width != 1)
                 context.diagnostics.report(Code::SourceWidth, input.element,
                                            {input.semantic, std::to_string(layout.weights->width), "1"});

@@ -152,8 +152,8 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
             context_.diagnostics.report(Code::SamplerIncomplete, sampler,
                                         {samplerName(sampler), i ? "OUTPUT" : "INPUT"});
     if (!input || !output) return false;
-    const auto times = context_.sources.doubles(input, Numbers::Error);
-    const auto values = context_.sources.doublesToTake(output, Numbers::Error);
+    const auto times = context_.sources.doubles(input, NumberFaults::Error);
+    const auto values = context_.sources.doublesToTake(output, NumberFaults::Error);
     if (!times || !values || times->count() == 0 || values->count() == 0) {
         context_.diagnostics.report(Code::SamplerIncomplete, sampler,
                                     {samplerName(sampler), times && times->count() ? "OUTPUT" : "INPUT"});
@@ -205,8 +205,8 @@ void SamplerReader::readInterpolations(XmlNode sampler, XmlNode source, CurveKey
 void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outSource, CurveKeys& keys) {
     auto& kinds = keys.interpolations;
     if (std::none_of(kinds.begin(), kinds.end(), needsTangents) || kinds.size() < 2) return;
-    const auto in = inSource ? context_.sources.doubles(inSource, Numbers::Warning) : nullptr;
-    const auto out = outSource ? context_.sources.doubles(outSource, Numbers::Warning) : nullptr;
+    const auto in = inSource ? context_.sources.doubles(inSource, NumberFaults::Warning) : nullptr;
+    const auto out = outSource ? context_.sources.doubles(outSource, NumberFaults::Warning) : nullptr;
     const std::size_t count = keys.times.size();
     const std::size_t perKey = in ? in->values.size() / count : 0;
     const bool isSingle = perKey == keys.width;

@@ -22,7 +22,7 @@ void checkWidth(const Input& input, const FloatSource& source, std::size_t least
 }
 
 std::shared_ptr<const FloatSource> readFloats(const Input& input, std::size_t least, std::size_t most,
-                                              Numbers numbers, const LoadContext& context) {
+                                              NumberFaults faultsAre, const LoadContext& context) {
     if (!input.source) return nullptr;  // already reported
     if (!input.source.is("source")) {
         context.diagnostics.report(Code::WrongElement, input.element,
@@ -30,7 +30,7 @@ std::shared_ptr<const FloatSource> readFloats(const Input& input, std::size_t le
                                     std::string(input.source.name()), "source"});
         return nullptr;
     }
-    auto source = context.sources.floats(input.source, numbers);
+    auto source = context.sources.floats(input.source, faultsAre);
     if (source) checkWidth(input, *source, least, most, context);
     return source;
 }
@@ -49,13 +49,13 @@ int freeSet(const std::vector<CornerInput>& taken, int wanted) {
 // The inputs that stand on a primitive and in its <vertices> alike.
 void addInput(PrimitiveInputs& inputs, const Input& input, std::size_t offset, const LoadContext& context) {
     if (input.semantic == "POSITION" && !inputs.position.source) {
-        inputs.position = {readFloats(input, 2, 4, Numbers::Error, context), offset, 0};
+        inputs.position = {readFloats(input, 2, 4, NumberFaults::Error, context), offset, 0};
     } else if (input.semantic == "NORMAL" && !inputs.normal.source) {
-        inputs.normal = {readFloats(input, 3, 3, Numbers::Warning, context), offset, 0};
+        inputs.normal = {readFloats(input, 3, 3, NumberFaults::Warning, context), offset, 0};
     } else if (input.semantic == "COLOR" && !inputs.color.source) {
-        inputs.color = {readFloats(input, 3, 4, Numbers::Warning, context), offset, 0};
+        inputs.color = {readFloats(input, 3, 4, NumberFaults::Warning, context), offset, 0};
     } else if (input.semantic == "TEXCOORD") {
-        auto source = readFloats(input, 1, 4, Numbers::Warning, context);
+        auto source = readFloats(input, 1, 4, NumberFaults::Warning, context);
         if (!source) return;
         if (inputs.texCoords.size() == kMaxTexCoordSets)
             return context.diagnostics.report(Code::TooManyTexCoordSets, input.element,

@@ -145,7 +145,7 @@ void EffectReader::useChosenPicture(XmlNode collada, Material& material) {
 }
 
 void EffectReader::readColor(XmlNode value, glm::vec4& color) {
-    const std::vector<double> numbers = readDoubles(value, context_.diagnostics, Numbers::Warning);
+    const std::vector<double> numbers = readDoubles(value, context_.diagnostics, NumberFaults::Warning);
     if (numbers.size() != 3 && numbers.size() != 4)
         context_.diagnostics.report(Code::ColorNumbers, value,
                                     {std::string(value.name()), std::to_string(numbers.size())});
@@ -161,7 +161,7 @@ void EffectReader::readNumber(XmlNode shader, const char* name, const EffectPara
     if (const XmlNode param = node.child("param")) value = parameter(param, parameters);
     if (node && !value && !node.child("param")) noValue(node, "float");
     if (!value) return;
-    const std::vector<double> numbers = readDoubles(value, context_.diagnostics, Numbers::Warning);
+    const std::vector<double> numbers = readDoubles(value, context_.diagnostics, NumberFaults::Warning);
     if (numbers.size() != 1)
         context_.diagnostics.report(
             Code::NumberOddWarning, value,

@@ -198,7 +198,7 @@ void TextureReader::readSampler(XmlNode sampler, Texture& texture) {
     // Enlarging knows no mipmaps.
     texture.magFilter = texture.magFilter == Filter::Nearest ? Filter::Nearest : Filter::Linear;
     if (const XmlNode border = sampler.child("border_color")) {
-        const std::vector<double> numbers = readDoubles(border, diagnostics, Numbers::Warning);
+        const std::vector<double> numbers = readDoubles(border, diagnostics, NumberFaults::Warning);
         for (std::size_t i = 0; i < numbers.size() && i < 4; ++i)
             texture.borderColor[static_cast<int>(i)] = static_cast<float>(numbers[i]);
     }

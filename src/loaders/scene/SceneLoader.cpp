@@ -95,7 +95,7 @@ std::optional<SceneLight> readLight(XmlNode light, const LoadContext& context) {
         return std::nullopt;
     }
     if (const XmlNode color = element.child("color")) {
-        const std::vector<double> values = readDoubles(color, context.diagnostics, Numbers::Warning);
+        const std::vector<double> values = readDoubles(color, context.diagnostics, NumberFaults::Warning);
         if (values.size() != 3 && values.size() != 4)  // an alpha means nothing, and does no harm
             context.diagnostics.report(Code::ColorNumbers, color, {"color", std::to_string(values.size())});
         for (std::size_t i = 0; i < std::min<std::size_t>(3, values.size()); ++i)

@@ -126,7 +126,7 @@ bool isDegenerate(const TransformElement& e) {
 TransformElement readElement(XmlNode node, const KindInfo& kind, Diagnostics& diagnostics) {
     TransformElement e{
         .kind = kind.kind, .sid = std::string(node.sid()), .values = kind.neutral, .element = node};
-    const std::vector<double> numbers = readDoubles(node, diagnostics, Numbers::Error);
+    const std::vector<double> numbers = readDoubles(node, diagnostics, NumberFaults::Error);
     const auto expected = static_cast<std::size_t>(kind.valueCount);
     if (numbers.size() != expected)
         diagnostics.report(Code::TransformNumbers, node,

@@ -9,7 +9,7 @@
 namespace walkcycle {
 namespace {
 
-// COLLADA 1.4.1, "Common Glossary": all but those of samplers.
+// COLLADA 1.4.1, "Common Glossary": all semantics but those of samplers.
 constexpr std::string_view kSemantics =
     "BINORMAL COLOR CONTINUITY IMAGE INPUT INV_BIND_MATRIX JOINT LINEAR_STEPS MORPH_TARGET MORPH_WEIGHT "
     "NORMAL OUTPUT POSITION TANGENT TEXBINORMAL TEXCOORD TEXTANGENT UV VERTEX WEIGHT";
@@ -45,7 +45,7 @@ std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostic
         }
         input.hasSet = element.has("set");
         checkSemantic(element, kSemantics, diagnostics);
-        // Without interpolations everything still moves, on straight lines.
+        // Without INTERPOLATION the keys are blended linearly.
         const bool canDoWithout = input.semantic == "INTERPOLATION";
         input.source =
             documents.follow(element, "source", {}, canDoWithout ? Severity::Warning : Severity::Error);

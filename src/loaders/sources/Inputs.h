@@ -17,14 +17,14 @@ struct Input {
     int set = 0;
     bool hasSet = false;
     XmlNode element;
-    XmlNode source;  // where it leads; nothing where it leads nowhere (already reported as an error)
+    XmlNode source;  // the element that it refers to; nothing if there is none (already reported)
 };
 
-// Reports an <input> without a semantic, and one that is none of the known (words between spaces): programs may have
-// words of their own, so that is an error of the file only where it looks like a slip.
+// Reports an <input> without a semantic, or with one that is not in `known` (words separated by spaces). An unknown
+// semantic is a warning if it looks misspelt, otherwise an info: programs may have semantics of their own.
 void checkSemantic(XmlNode input, std::string_view known, Diagnostics& diagnostics);
 
-// All <input>s of an element, references followed (and reported as an error where they lead nowhere).
+// All <input>s of an element, with their references resolved. A reference that leads nowhere is reported.
 std::vector<Input> readInputs(XmlNode parent, DocumentSet& documents, Diagnostics& diagnostics);
 
 }  // namespace walkcycle

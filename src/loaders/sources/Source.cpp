@@ -15,7 +15,7 @@ namespace walkcycle {
 namespace {
 
 template <typename T>
-std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbers,
+std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, NumberFaults faultsAre,
                            const PieceRead& pieceRead) {
     std::vector<T> values;
     std::vector<NumberFault> faults;
@@ -27,7 +27,7 @@ std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbe
         std::string around = surroundings(text, fault);
         if (!around.empty()) around = ": '" + around + "'";
         const int line = node.textLine(fault.offset);
-        if (numbers == Numbers::Error)
+        if (faultsAre == NumberFaults::Error)
             diagnostics.report(Code::NumberInvalid, node, {token, name, around}, line);
         else
             diagnostics.report(Code::NumberOddWarning, node, {token, name, "0", around}, line);
@@ -35,7 +35,7 @@ std::vector<T> readNumbers(XmlNode node, Diagnostics& diagnostics, Numbers numbe
     return values;
 }
 
-// An attribute that is a count; nothing where it is missing, `fallback` and a report where it is none.
+// Parses an attribute as a count. Returns nothing if it is missing or (reported) is no count.
 std::optional<std::uint64_t> readCount(XmlNode node, const char* attribute, Diagnostics& diagnostics) {
     if (!node.has(attribute)) return std::nullopt;
     std::uint64_t value = 0;
@@ -57,7 +57,7 @@ void checkArrayCount(XmlNode array, std::size_t held, Severity miscounted, Diagn
             {std::string(array.name()), std::to_string(*count), "values", std::to_string(held)});
 }
 
-// How many numbers a <param> of this type takes: "float" 1, "float4x4" 16, "name" 1.
+// How many values a <param> of this type holds: "float" 1, "float4x4" 16, "name" 1.
 std::size_t paramSize(std::string_view type) {
     const std::size_t digit = type.find_first_of("234");
     if (digit == std::string_view::npos) return 1;
@@ -66,7 +66,7 @@ std::size_t paramSize(std::string_view type) {
     return isMatrix ? rows * static_cast<std::size_t>(std::max(1, type[digit + 2] - '0')) : rows;
 }
 
-// Which of an entry's `stride` values count, and where entries are.
+// Where an accessor finds its entries: entry i begins at offset + i * stride, and `columns` of its values are used.
 struct Layout {
     std::uint64_t count = 0, stride = 1, offset = 0;
     std::vector<std::size_t> columns;
@@ -92,7 +92,7 @@ void readParams(XmlNode accessor, Layout& layout, Diagnostics& diagnostics) {
         if (defaulted) layout.stride = column;
         std::erase_if(layout.columns, [&](std::size_t c) { return c >= layout.stride; });
     }
-    // No names at all, or one name for a whole matrix: every value counts.
+    // If no <param> has a name, or one stands for a whole matrix, all values are used.
     const bool oneForAll = paramCount == 1 && layout.stride == 16;
     if (layout.columns.empty() || oneForAll) {
         layout.columns.clear();
@@ -101,7 +101,7 @@ void readParams(XmlNode accessor, Layout& layout, Diagnostics& diagnostics) {
     }
 }
 
-// The accessor as far as the array carries it; `held` is how many values there are.
+// Reads the accessor, and limits it to the entries that its array of `held` values has.
 Layout readLayout(XmlNode source, std::size_t held, Diagnostics& diagnostics) {
     Layout layout;
     const XmlNode accessor = source.child("technique_common").child("accessor");
@@ -142,7 +142,7 @@ Layout readLayout(XmlNode source, std::size_t held, Diagnostics& diagnostics) {
 template <typename T>
 std::vector<T> pick(std::vector<T>&& values, const Layout& layout) {
     const std::size_t width = layout.columns.size();
-    if (width == layout.stride && layout.offset == 0) {  // the usual case: packed already
+    if (width == layout.stride && layout.offset == 0) {  // the usual case: no gaps
         values.resize(static_cast<std::size_t>(layout.count) * width);
         return std::move(values);
     }
@@ -154,7 +154,7 @@ std::vector<T> pick(std::vector<T>&& values, const Layout& layout) {
     return picked;
 }
 
-// The array that the accessor means: by its source, or the source's own where that leads to the <source> itself or nowhere.
+// The array that the accessor refers to; the <source>'s own if the reference leads to the <source> itself or nowhere.
 XmlNode findArray(XmlNode source, DocumentSet& documents, Diagnostics& diagnostics,
                   bool isArray(std::string_view)) {
     XmlNode own;
@@ -227,9 +227,10 @@ struct SourceReader::Impl {
     }
 
     template <typename T>
-    std::shared_ptr<Source<T>> numbers(XmlNode source, Numbers numbers) {
-        return read<T>(source, isNumberArray,
-                       [&](XmlNode array) { return readNumbers<T>(array, diagnostics, numbers, pieceRead); });
+    std::shared_ptr<Source<T>> numbers(XmlNode source, NumberFaults faultsAre) {
+        return read<T>(source, isNumberArray, [&](XmlNode array) {
+            return readNumbers<T>(array, diagnostics, faultsAre, pieceRead);
+        });
     }
 };
 
@@ -238,25 +239,25 @@ SourceReader::SourceReader(DocumentSet& documents, Diagnostics& diagnostics, Dia
     : impl_(new Impl{documents, diagnostics, dialects, std::move(pieceRead), {}, {}, {}, {}}) {}
 SourceReader::~SourceReader() = default;
 
-std::shared_ptr<const FloatSource> SourceReader::floats(XmlNode source, Numbers numbers) {
+std::shared_ptr<const FloatSource> SourceReader::floats(XmlNode source, NumberFaults faultsAre) {
     const auto [entry, isNew] = impl_->floats.try_emplace(source);
-    if (isNew) entry->second = impl_->numbers<float>(source, numbers);
+    if (isNew) entry->second = impl_->numbers<float>(source, faultsAre);
     return entry->second;
 }
 
-std::shared_ptr<const DoubleSource> SourceReader::doubles(XmlNode source, Numbers numbers) {
+std::shared_ptr<const DoubleSource> SourceReader::doubles(XmlNode source, NumberFaults faultsAre) {
     const auto [entry, isNew] = impl_->doubles.try_emplace(source);
-    if (isNew) entry->second = impl_->numbers<double>(source, numbers);
+    if (isNew) entry->second = impl_->numbers<double>(source, faultsAre);
     return entry->second;
 }
 
-// One that is asked for again after all is kept from then on.
-std::shared_ptr<DoubleSource> SourceReader::doublesToTake(XmlNode source, Numbers numbers) {
+// If a source is asked for a second time, it is cached from then on.
+std::shared_ptr<DoubleSource> SourceReader::doublesToTake(XmlNode source, NumberFaults faultsAre) {
     if (impl_->doubles.contains(source) || !impl_->taken.insert(source).second) {
-        const auto kept = doubles(source, numbers);
+        const auto kept = doubles(source, faultsAre);
         return kept ? std::make_shared<DoubleSource>(*kept) : nullptr;
     }
-    return impl_->numbers<double>(source, numbers);
+    return impl_->numbers<double>(source, faultsAre);
 }
 
 void SourceReader::forgetFloats() {
@@ -266,21 +267,21 @@ void SourceReader::forgetFloats() {
 std::shared_ptr<const NameSource> SourceReader::names(XmlNode source, bool& isIdref, Severity miscounted) {
     isIdref = static_cast<bool>(source.child("IDREF_array"));
     const auto [entry, isNew] = impl_->names.try_emplace(source);
-    const auto readAndTell = [&](XmlNode array) {
+    const auto readAndAdvance = [&](XmlNode array) {
         std::string joined;
         if (impl_->pieceRead) impl_->pieceRead(array.rawText(joined).size());
         return readNames(array, impl_->dialects);
     };
-    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readAndTell, miscounted);
+    if (isNew) entry->second = impl_->read<std::string>(source, isNameArray, readAndAdvance, miscounted);
     return entry->second;
 }
 
-std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, Numbers numbers) {
-    return readNumbers<double>(node, diagnostics, numbers, {});
+std::vector<double> readDoubles(XmlNode node, Diagnostics& diagnostics, NumberFaults faultsAre) {
+    return readNumbers<double>(node, diagnostics, faultsAre, {});
 }
 
 std::vector<std::int32_t> readInts(XmlNode node, Diagnostics& diagnostics, const PieceRead& pieceRead) {
-    return readNumbers<std::int32_t>(node, diagnostics, Numbers::Error, pieceRead);
+    return readNumbers<std::int32_t>(node, diagnostics, NumberFaults::Error, pieceRead);
 }
 
 }  // namespace walkcycle

@@ -45,7 +45,7 @@ TEST(NameSourceTest, numbersMayBeWhole) {
     std::string text = floatSource("s", "1 2 3", "X");
     for (std::size_t at; (at = text.find("float_array")) != text.npos;) text.replace(at, 11, "int_array");
     TestLoad load("<COLLADA>" + text + "</COLLADA>");
-    EXPECT_THAT(load.sources.floats(load.byId("s"), Numbers::Error)->values, ElementsAre(1, 2, 3));
+    EXPECT_THAT(load.sources.floats(load.byId("s"), NumberFaults::Error)->values, ElementsAre(1, 2, 3));
 }
 
 }  // namespace

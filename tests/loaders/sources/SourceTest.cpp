@@ -29,8 +29,8 @@ std::string source(const std::string& numbers, const std::string& accessor) {
 
 // Reading one source: what came out, and what was said.
 struct Reading {
-    explicit Reading(const std::string& text, Numbers numbers = Numbers::Error) : load(text) {
-        result = load.sources.floats(load.byId("s"), numbers);
+    explicit Reading(const std::string& text, NumberFaults faultsAre = NumberFaults::Error) : load(text) {
+        result = load.sources.floats(load.byId("s"), faultsAre);
         if (result) values = result->values;
     }
     const std::vector<Diagnostic>& said() const { return load.diagnostics.all(); }
@@ -184,7 +184,7 @@ TEST(SourceTest, aNumberThatCannotBeUsedBecomesZeroAndIsReportedInItsLine) {
     EXPECT_THAT(asError.said(), ElementsAre(says("WC0204", 5, kPath + "/float_array[id=a]"),
                                             says("WC0204", 6, kPath + "/float_array[id=a]"),
                                             says("WC0204", 6, kPath + "/float_array[id=a]")));
-    const Reading asWarning(text, Numbers::Warning);
+    const Reading asWarning(text, NumberFaults::Warning);
     EXPECT_THAT(codes(asWarning.said()), ElementsAre("WC0210", "WC0210", "WC0210"));
 }
 
@@ -215,8 +215,8 @@ TEST(SourceTest, namesAndIdrefsAreToldApart) {
 
 TEST(SourceTest, aSourceIsReadOnceHoweverOftenItIsAskedFor) {
     TestLoad load("<COLLADA>" + floatSource("s", "1 2 x") + "</COLLADA>");
-    const auto first = load.sources.floats(load.byId("s"), Numbers::Error);
-    EXPECT_EQ(load.sources.floats(load.byId("s"), Numbers::Error), first);
+    const auto first = load.sources.floats(load.byId("s"), NumberFaults::Error);
+    EXPECT_EQ(load.sources.floats(load.byId("s"), NumberFaults::Error), first);
     EXPECT_THAT(codes(load.diagnostics.all()), ElementsAre("WC0204"));
 }
 
