@@ -22,7 +22,7 @@ Animator::Animator(const Skeleton& skeleton, std::span<const float> restParamete
     applyPoseToJoints();
 }
 
-// Back to the rest pose first: the last clip may have moved joints that this one does not.
+// Starts from the rest pose, since the last clip may have moved joints that this one does not.
 void Animator::doAnimation(const Animation& animation) {
     animation_ = &animation;
     pose_ = restPose_;
@@ -39,7 +39,7 @@ void Animator::update(double seconds) {
     applyPoseToJoints();
 }
 
-// Wrapped at once, so that days of playing lose no precision.
+// Wraps the time at every step, so that days of playing lose no precision.
 void Animator::increaseAnimationTime(double seconds) {
     const double length = lengthInSeconds();
     const double time = animationTime_ + seconds * speed_;
@@ -56,7 +56,7 @@ void Animator::increaseAnimationTime(double seconds) {
     }
 }
 
-// In the Java a key frame holds all joints. Here each joint that moves has a channel with key frames of its own.
+// In the Java, a key frame holds all joints. Here each joint that moves has a channel with key frames of its own.
 void Animator::calculateCurrentAnimationPose(double documentSeconds) {
     for (const Channel& channel : animation_->channels) {
         const auto joint = static_cast<std::size_t>(channel.joint);
@@ -177,7 +177,7 @@ double Animator::timeInDocument() const {
 double loop(double seconds, double length) {
     if (!(length > 0.0) || !std::isfinite(seconds)) return 0.0;
     const double wrapped = seconds - length * std::floor(seconds / length);
-    // A hair before the start rounds to the length itself, which is the start again.
+    // Just below zero, `wrapped` rounds to the length itself, which is the start again.
     return wrapped >= 0.0 && wrapped < length ? wrapped : 0.0;
 }
 

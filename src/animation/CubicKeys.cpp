@@ -8,8 +8,8 @@
 
 namespace walkcycle {
 
-// Between two key frames, each number runs on the cubic curve that leaves the one with its `out` tangent and arrives
-// at the next with the `in` tangent of that.
+// Between two key frames, each number follows the cubic Hermite curve that starts with the `out` tangent of the previous
+// one and ends with the `in` tangent of the next.
 JointTransform sampleCubic(const std::vector<KeyFrame>& keyFrames, const std::vector<KeyTangents>& tangents,
                            double seconds) {
     assert(tangents.size() == keyFrames.size());

@@ -8,7 +8,7 @@
 
 namespace walkcycle {
 
-// Each number of position, rotation and scale on a cubic curve, the rotation brought back to unit length.
+// Each number of position, rotation and scale on its cubic Hermite curve from a to b; the rotation is normalised.
 template <typename Number>
 BasicJointTransform<Number> curvedTransform(const BasicJointTransform<Number>& a,
                                             const TransformRates<Number>& leaving,

@@ -10,8 +10,8 @@
 
 namespace walkcycle {
 
-// Four floats that the processor works on at once. GCC's and clang's own vector type: the usual operators work on all
-// four lanes, and it becomes SSE, NEON or plain code, whatever the machine has.
+// Four floats in one register, as a vector type of GCC and clang: the usual operators work on all four lanes, and the
+// compiler makes SSE, NEON or plain code of them.
 using Float4 = float __attribute__((vector_size(16)));
 
 inline Float4 splat(float x) {
@@ -31,13 +31,13 @@ Float4 splatLane(Float4 v) {
     return __builtin_shufflevector(v, v, kLane, kLane, kLane, kLane);
 }
 
-// 0 0 0 w.
+// (x, y, z, w) becomes (0, 0, 0, w).
 inline Float4 onlyLast(Float4 v) {
     using Bits = std::int32_t __attribute__((vector_size(16)));
     return reinterpret_cast<Float4>(reinterpret_cast<Bits>(v) & Bits{0, 0, 0, -1});
 }
 
-// Lane i of the four becomes row i.
+// Transposes the 4x4 matrix with the rows a, b, c, d: lane i of the four becomes row i.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
     const Float4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
                  cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);

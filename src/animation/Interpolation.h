@@ -8,10 +8,11 @@
 
 namespace walkcycle {
 
-// The ways from one value to the next: in float where a clip is played, in double where a file's curves become keys.
-// (ClipTimeline.cpp has both once more, for four joints at a time; tests hold them against these.)
+// Interpolation between two values: in float when a clip is played, in double when a file's curves become key frames.
+// (ClipTimeline.cpp has SIMD forms of both, for four joints at once; tests compare them with these.)
 
-// Slerp: from one rotation to another at constant speed. Both of unit length; for many progressions between the same two.
+// Slerp: rotates from a to b at constant speed, the short way round. Both must be of unit length. The constructor
+// computes all that does not depend on the progression.
 template <typename Number>
 class Slerp {
 public:
@@ -35,7 +36,8 @@ public:
     }
 
 private:
-    // Below an angle of some 23 degrees the sines cancel out; there a series is as exact, and faster.
+    // For rotations below some 23 degrees, where acos() and the division by the sine lose digits: a series is exact
+    // there, and faster.
     bool isNarrow() const { return cosineLessOne_ >= Number(-0.02); }
 
     // sin(t angle) / sin(angle) as a series in cos(angle) - 1 (D. Eberly, "A Fast and Accurate Algorithm for Computing
@@ -52,11 +54,11 @@ private:
 
     glm::qua<Number> a_{Number(1), Number(0), Number(0), Number(0)}, b_ = a_;
     Number cosineLessOne_{0};
-    Number angle_{0}, sine_{0};  // of those that are not narrow
+    Number angle_{0}, sine_{0};  // set unless isNarrow()
 };
 
-// Cubic Hermite: the curve from a to b with given tangents at both. Here is how much of each makes the value at a
-// progression from 0 to 1. Tangents are the change per second where the way takes `seconds`, or per whole way.
+// Cubic Hermite interpolation from a to b with a tangent at each: the weights of these four at one progression (0 to 1).
+// Tangents are the change per second if the curve takes `seconds`; per whole curve if `seconds` is left at 1.
 template <typename Number>
 struct Hermite {
     explicit Hermite(Number progression, Number seconds = Number(1)) {
@@ -75,7 +77,7 @@ struct Hermite {
     Number ofA, ofLeaving, ofB, ofArriving;
 };
 
-// The same curve as powers of the progression s: {constant, s, s², s³}, tangents per whole way.
+// The same curve as coefficients of 1, s, s² and s³ (s: the progression). Tangents are the change per whole curve.
 template <typename Value>
 std::array<Value, 4> hermitePowers(const Value& a, const Value& leaving, const Value& b,
                                    const Value& arriving) {

@@ -6,8 +6,8 @@
 
 namespace walkcycle {
 
-// glm::mat3_cast takes the quaternion's length for exactly 1; the little that rounding makes of it would scale each
-// joint of a long chain.
+// Not glm::mat3_cast: it assumes a quaternion of exactly unit length, and the rounding error of the length would scale
+// every joint of a long chain.
 template <typename Number>
 glm::mat<4, 4, Number> BasicJointTransform<Number>::toMatrix() const {
     const glm::qua<Number>& q = rotation;

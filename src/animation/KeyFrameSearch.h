@@ -6,22 +6,22 @@
 
 namespace walkcycle {
 
-// The two key frames around a time; the same one twice while it holds. `Key` is a KeyFrame or another kind of key
-// frame: all share the search.
+// The two key frames around a time; the same one twice if it holds at that time. `Key` is KeyFrame, MatrixKeyFrame or
+// ParameterKeyFrame.
 template <class Key>
 struct PreviousAndNext {
     const Key& previous;
     const Key& next;
 };
 
-// The steps of Animator::calculateCurrentAnimationPose, in Animator.cpp.
+// The steps of Animator::calculateCurrentAnimationPose, defined in Animator.cpp.
 
-// `keyFrames` are in rising time and not empty. Before the first key frame the first holds, after the last the last.
-// Of two at one time (a jump), the second counts from that time on.
+// `keyFrames` are sorted by time and not empty. The first key frame holds before its time, the last after its time. Of
+// two at the same time (a jump), the second counts from that time on.
 template <class Key>
 PreviousAndNext<Key> getPreviousAndNextFrames(const std::vector<Key>& keyFrames, double seconds);
 
-// How far a time is on the way from one time to another, 0 to 1; 0 if both are the same.
+// The share of the way from one time to another, 0 to 1; 0 if both are the same.
 float calculateProgression(double previousSeconds, double nextSeconds, double seconds);
 
 JointTransform interpolatePoses(const KeyFrame& previous, const KeyFrame& next, float progression);

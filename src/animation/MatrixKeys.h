@@ -8,7 +8,7 @@
 
 namespace walkcycle {
 
-// The matrix at a time of the document's timeline: between two key frames, number by number on straight lines.
+// The matrix at a time of the document's timeline. Between two key frames, each number is blended linearly.
 glm::mat4 sampleMatrix(const std::vector<MatrixKeyFrame>& keyFrames, double seconds);
 
 }  // namespace walkcycle

@@ -4,7 +4,7 @@
 
 namespace walkcycle {
 
-// The number at a time of the document's timeline. The track must have key frames.
+// The track's value at a time of the document's timeline. The track must have key frames.
 float sample(const ParameterTrack& track, double seconds);
 
 }  // namespace walkcycle

@@ -8,7 +8,7 @@
 
 namespace walkcycle {
 
-// Files, and `pose --json`, write a matrix row by row; glm::mat4 keeps columns.
+// Files, and `pose --json`, write a matrix row by row; glm::mat4 stores columns.
 
 template <typename Number>
 glm::vec<4, Number> rowOf(const glm::mat<4, 4, Number>& matrix, int row) {
@@ -23,7 +23,7 @@ std::array<Number, 16> rowsOf(const glm::mat<4, 4, Number>& matrix) {
     return rows;
 }
 
-// From 12 numbers on. The last row of an affine matrix is 0 0 0 1; what else a file writes there is noise.
+// Takes 12 numbers. The last row of an affine matrix is 0 0 0 1; other numbers of a file there are noise.
 template <typename Number, typename Written>
 glm::mat<4, 4, Number> affineFromRows(const Written* rows) {
     glm::mat<4, 4, Number> matrix(Number(1));

@@ -7,12 +7,12 @@
 
 namespace walkcycle {
 
-// An affine matrix in registers, row by row.
+// JointRows in registers, to compute with.
 struct Rows {
     Float4 x, y, z;
 };
 
-// One row of a * b.
+// One row of a product: row `a` of the left matrix times matrix `b`.
 inline Float4 timesRows(Float4 a, const Rows& b) {
     return splatLane<0>(a) * b.x + splatLane<1>(a) * b.y + splatLane<2>(a) * b.z + onlyLast(a);
 }

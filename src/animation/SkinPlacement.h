@@ -10,19 +10,19 @@
 
 namespace walkcycle {
 
-// What the skin's node adds to the joints' own transforms, of a Skin that its node places (see Skin::placedBy):
-// modelTransform(placedBy) * inverse(modelTransform(placedRelativeTo)), in float or double as modelTransform() gives them.
+// The transform that a skin's node applies on top of the joints (see Skin::placedBy, which must be a joint):
+// modelTransform(placedBy) * inverse(modelTransform(placedRelativeTo)), in the precision of modelTransform().
 template <typename Placed, typename ModelTransform>
 auto skinPlacement(const Placed& skin, ModelTransform modelTransform) {
     using Matrix = std::remove_cvref_t<decltype(modelTransform(skin.placedBy))>;
     const Matrix meetingPoint = skin.placedRelativeTo == kNoParent ? Matrix(skin.placedInRoot)
                                                                    : modelTransform(skin.placedRelativeTo);
-    // An ancestor scaled to nothing leaves nothing to see, and has no inverse.
+    // If the ancestor has no inverse, its scale is zero and nothing is visible: any matrix will do.
     if (!std::isnormal(glm::determinant(meetingPoint))) return Matrix(1);
     return modelTransform(skin.placedBy) * glm::inverse(meetingPoint);
 }
 
-// Where a matrix has no inverse, because it scales to nothing, there is nothing to see: any matrix will do.
+// A matrix without an inverse has a zero scale, so that nothing is visible: any matrix will do.
 template <typename Matrix>
 Matrix inverseOrIdentity(const Matrix& matrix) {
     return std::isnormal(glm::determinant(matrix)) ? glm::inverse(matrix) : Matrix(1);

@@ -9,13 +9,13 @@
 
 namespace walkcycle {
 
-// An affine matrix as its first three rows; the fourth is always 0 0 0 1. What palettes are made of where there are many:
-// a quarter less to write, to send and to read than a glm::mat4.
+// An affine matrix, stored as its first three rows; the fourth is always 0 0 0 1. The palettes of crowds are made of
+// these: they take a quarter less memory than glm::mat4.
 struct alignas(16) JointRows {
     glm::vec4 rows[3] = {{1.0f, 0.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f, 0.0f}};
 
-    JointRows() = default;
-    explicit JointRows(const glm::mat4& m) {
+    JointRows() = default;                    // the identity
+    explicit JointRows(const glm::mat4& m) {  // `m` must be affine
         const glm::mat4 t = glm::transpose(m);
         for (int i = 0; i < 3; ++i) rows[i] = t[i];
     }
@@ -24,7 +24,7 @@ struct alignas(16) JointRows {
     }
 };
 
-// Moves a character, or several, to where they stand: placement * joint, for each joint of the palette.
+// Multiplies each matrix of a palette by `placement` from the left: moves a character (or several) to its place.
 WALKCYCLE_API void place(std::span<JointRows> palette, const glm::mat4& placement);
 
 }  // namespace walkcycle

@@ -7,7 +7,7 @@
 
 namespace walkcycle {
 
-// Where a joint stands relative to its parent joint: first scaled, then rotated, then moved.
+// The transform of a joint relative to its parent: first scaled, then rotated, then moved.
 // (The series' JointTransform, completed by scale.)
 template <typename Number>
 struct WALKCYCLE_API BasicJointTransform {
@@ -15,20 +15,21 @@ struct WALKCYCLE_API BasicJointTransform {
     glm::qua<Number> rotation{Number(1), Number(0), Number(0), Number(0)};  // w, x, y, z; of unit length
     glm::vec<3, Number> scale{Number(1)};
 
-    glm::mat<4, 4, Number> toMatrix() const;
+    glm::mat<4, 4, Number> toMatrix() const;  // translation * rotation * scale
 
-    // The transform at `progression` (0 gives a, 1 gives b) of the way from a to b: positions and scales on a
-    // straight line, rotations the short way round at constant speed.
+    // The transform at `progression` (0 gives a, 1 gives b) of the way from a to b: position and scale are blended
+    // linearly, the rotation by slerp (the short way round, at constant speed).
     static BasicJointTransform interpolate(const BasicJointTransform& a, const BasicJointTransform& b,
                                            Number progression);
 
+    // The same transform in another precision.
     template <typename Other>
     explicit operator BasicJointTransform<Other>() const {
         return {glm::vec<3, Other>(position), glm::qua<Other>(rotation), glm::vec<3, Other>(scale)};
     }
 };
 
-using JointTransform = BasicJointTransform<float>;   // of keys and poses
-using ExactTransform = BasicJointTransform<double>;  // of a file's curves, on their way to keys
+using JointTransform = BasicJointTransform<float>;   // of key frames and poses
+using ExactTransform = BasicJointTransform<double>;  // of a file's curves, before they become key frames
 
 }  // namespace walkcycle

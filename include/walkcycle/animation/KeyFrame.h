@@ -14,7 +14,7 @@ struct KeyFrame {
     bool step = false;  // holds until the next key frame, instead of blending into it
 };
 
-// How fast the numbers of a transform change.
+// How fast each number of a transform changes (its derivative), component by component.
 template <typename Number>
 struct TransformRates {
     glm::vec<3, Number> position{Number(0)};
@@ -22,21 +22,21 @@ struct TransformRates {
     glm::vec<3, Number> scale{Number(0)};
 };
 
-// How fast the numbers of a transform change as they arrive at a key frame and as they leave it, per second. With
-// tangents, each number runs on a cubic curve from key frame to key frame (glTF's CUBICSPLINE).
+// How fast a transform changes, per second: as it arrives at a key frame (`in`) and as it leaves it (`out`). With
+// tangents, each number follows a cubic Hermite curve from key frame to key frame (glTF's CUBICSPLINE).
 struct KeyTangents {
     using Rates = TransformRates<float>;
     Rates in, out;
 };
 
-// A key frame for what no JointTransform can hold: animated shear, mirroring, zero scale.
+// A key frame for a motion that no JointTransform can hold: animated shear, mirroring, zero scale.
 struct MatrixKeyFrame {
     double seconds = 0.0;
     glm::mat4 matrix{1.0f};
     bool step = false;  // holds until the next key frame
 };
 
-// A single number that moves: a morph weight, a light's intensity, a colour's red.
+// A key frame of a single number: a morph weight, a light's intensity, the red of a colour.
 struct ParameterKeyFrame {
     double seconds = 0.0;
     float value = 0.0f;

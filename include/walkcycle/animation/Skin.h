@@ -10,20 +10,19 @@
 
 namespace walkcycle {
 
-// What binds a mesh to a skeleton: entry i of a vertex's joint ids means joint joints[i].
-// The last entry is the skin's own node, with an identity inverse bind matrix: vertices without influence, and
-// joint index -1 of the file, follow it.
+// Binds a mesh to a skeleton: joint id i of a vertex means joint joints[i].
+// The last entry is the skin's own node, with an identity inverse bind matrix: vertices without influences, and
+// influences with joint index -1 in the file, follow it.
 struct Skin {
     std::vector<int> joints;  // indices into Skeleton::joints
-    // inverseBindMatrix * bindShapeMatrix, per joint, multiplied once when the skin is loaded: from the mesh's space
-    // to the model's at bind time, and from there to the joint's.
+    // inverseBindMatrix * bindShapeMatrix, per joint, multiplied once when the skin is loaded: from mesh space to
+    // model space at bind time, and from there to joint space.
     std::vector<glm::mat4> bindMatrices;
 
-    // Some exporters (Maya's ColladaMaya, Softimage) want the node's transform, relative to
-    // `placedRelativeTo`, on top of the joints': the nearest common ancestor of the node and the joints.
-    // kNoParent as `placedBy`: the joints alone place the skin, as everywhere else. kNoParent as
-    // `placedRelativeTo`: node and joints meet nowhere below the scene's root, whose transform
-    // (Skeleton::rootTransform) `placedInRoot` then is.
+    // The quirk skin-by-node: the transform of the skin's node (`placedBy`), relative to the nearest common ancestor
+    // of the node and the joints (`placedRelativeTo`), is applied on top of the joints. Both are indices into
+    // Skeleton::joints. If `placedBy` is kNoParent, the joints alone place the skin. If `placedRelativeTo` is kNoParent,
+    // the only common ancestor is the scene's root, and `placedInRoot` is its transform (Skeleton::rootTransform).
     int placedBy = kNoParent;
     int placedRelativeTo = kNoParent;
     glm::mat4 placedInRoot{1.0f};
@@ -36,7 +35,7 @@ struct Skin {
 WALKCYCLE_API void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
                                   std::vector<glm::mat4>& palette);
 
-// The same as rows, into memory of the caller's: one entry per joint of the skin.
+// The same as rows. `palette` must have one entry per joint of the skin.
 WALKCYCLE_API void computePalette(const Skin& skin, const std::vector<glm::mat4>& modelTransforms,
                                   std::span<JointRows> palette);
 
