@@ -6,9 +6,9 @@ namespace walkcycle {
 
 namespace {
 
-// How much of a row and of the next one make the moment between them. sin(t a) / sin(a) is a power series in cos(a) - 1
-// (D. Eberly, "A Fast and Accurate Algorithm for Computing SLERP", 2011); as the angle from row to row is small (kMaxHalfAngle),
-// four terms leave less than a float can tell.
+// The weights of a row and of the next one at a time between them. For slerp, sin(t a) / sin(a) is a power series in
+// cos(a) - 1 (D. Eberly, "A Fast and Accurate Algorithm for Computing SLERP", 2011). The angle from row to row is small
+// (kMaxHalfAngle), so four terms are exact to the precision of a float.
 struct Shares {
     static constexpr std::size_t kTerms = 4;
 
@@ -48,7 +48,7 @@ Float4 dot(const Float4* a, const Float4* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
-// The rows are on the same side of the sphere already.
+// No sign needs to be flipped: TimelineWriter stores rotations so that dot(a, b) is not negative.
 void slerp(const Float4* a, const Float4* b, const Shares& shares, Rotations& out) {
     const Float4 cosineLessOne = dot(a, b) - splat(1.0f);
     const Float4 ofA = Shares::series(shares.left, shares.ofRow, cosineLessOne);
@@ -76,7 +76,7 @@ void compose(const Rotations& q, const std::array<Float4, 3>& position, const st
 
 }  // namespace
 
-// The row whose time has come, while the next one's has not. Most tables have evenly spaced rows: then it is the first guess.
+// The last row that is not later than `seconds`. Most tables have evenly spaced rows; then the guess is right.
 std::size_t ClipTimeline::rowAt(double seconds) const {
     const auto guess = static_cast<std::size_t>((seconds - times.front()) * rowsPerSecond);
     if (guess + 1 < times.size() && times[guess] <= seconds && seconds < times[guess + 1]) return guess;

@@ -62,14 +62,14 @@ private:
     }
 
     std::vector<FastPoser> posers_;  // one per thread; the first is the caller's
-    std::mutex mutex_;               // of all below but nextPortion_
+    std::mutex mutex_;               // guards the members below, except nextPortion_ and threads_
     std::condition_variable_any begin_;
     std::condition_variable done_;
     std::span<const double> seconds_;
     std::span<JointRows> palettes_;
     std::atomic<std::size_t> nextPortion_{0};
     std::size_t busy_ = 0, round_ = 0;
-    std::vector<std::jthread> threads_;  // last, so that they stop first
+    std::vector<std::jthread> threads_;  // the last member: destroyed first, before what the threads use
 };
 
 CrowdPoser::CrowdPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin,

@@ -14,14 +14,14 @@ double halfAngle(const JointTransform& a, const JointTransform& b) {
     return std::acos(std::min(1.0, std::abs(glm::dot(glm::dquat(a.rotation), glm::dquat(b.rotation)))));
 }
 
-// In the order of Cubics, of a transform or of its rates.
+// The ten numbers of a transform, or of its tangent, in the order of Cubics.
 template <typename Transform>
 std::array<double, 10> numbersOf(const Transform& t) {
     return {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w, t.position.x,
             t.position.y, t.position.z, t.scale.x,    t.scale.y,    t.scale.z};
 }
 
-// A curve cut down to the part from s to s + share of it.
+// The part of a curve from s to s + share, as a curve from 0 to 1.
 ExactChannel::Cubic part(const ExactChannel::Cubic& c, double s, double share) {
     return {c[0] + s * (c[1] + s * (c[2] + s * c[3])), share * (c[1] + s * (2.0 * c[2] + s * 3.0 * c[3])),
             share * share * (c[2] + 3.0 * s * c[3]), share * share * share * c[3]};

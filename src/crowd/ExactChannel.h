@@ -8,13 +8,13 @@
 
 namespace walkcycle {
 
-// A channel of an Animation, evaluated in double: what TimelineBuilder takes its rows from.
+// Evaluates a channel of an Animation in double, for the rows that TimelineBuilder writes.
 class ExactChannel {
 public:
-    enum class Side { Left, Right };  // at a jump: just before it, or from it on
-    // A number's curve over a stretch of time, s going from 0 to 1: constant, s, s², s³.
+    enum class Side { Left, Right };  // of a jump: just before it, or from it on
+    // The curve of one number over an interval: coefficients of 1, s, s², s³, with s from 0 to 1.
     using Cubic = std::array<double, 4>;
-    // Of rotation (x, y, z, w; not of unit length), position and scale.
+    // The curves of rotation (x, y, z, w; not normalised), position and scale.
     using Cubics = std::array<Cubic, 10>;
 
     explicit ExactChannel(const Channel& channel);
@@ -22,14 +22,15 @@ public:
     bool isMatrix() const { return channel_->keyFrames.empty(); }
     bool isCubic() const { return !channel_->tangents.empty(); }
 
-    // Where it must have rows: at its keys, and so often between them that a row is never further than
-    // ClipTimeline::kMaxHalfAngle from the one before.
+    // The times at which the channel needs rows: its keys, and as many times between them as
+    // ClipTimeline::kMaxHalfAngle demands.
     const std::vector<double>& times() const { return times_; }
+    // The times at which it jumps, rising.
     const std::vector<double>& jumps() const { return jumps_; }
 
     ExactTransform transformAt(double seconds, Side side) const;
     glm::dmat4 matrixAt(double seconds, Side side) const;
-    // From `begin` to `end`, between which there is no key.
+    // The curves from `begin` to `end`. No key may lie between the two.
     Cubics cubicsBetween(double begin, double end) const;
 
 private:
@@ -38,7 +39,7 @@ private:
         bool step;
     };
     struct Between {
-        std::size_t from = 0, to = 0;  // the same one where it holds
+        std::size_t from = 0, to = 0;  // both the same if that key holds
         double progression = 0.0;
     };
     Between keysAround(double seconds, Side side) const;

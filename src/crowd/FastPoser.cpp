@@ -20,7 +20,7 @@ glm::mat4 toMatrix(const Rows& rows) {
     return joint.toMatrix();
 }
 
-// The joints that the skin hangs on, with all above them: a slot for each in the order of the skeleton, or -1.
+// Numbers the joints that the skin depends on (its own and all their ancestors) in the skeleton's order; -1 for the rest.
 std::vector<int> slotsOf(const Skeleton& skeleton, const Skin& skin) {
     std::vector<bool> matters(skeleton.joints.size(), false);
     for (const int joint : skin.joints) matters[static_cast<std::size_t>(joint)] = true;

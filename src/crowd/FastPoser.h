@@ -13,21 +13,21 @@
 
 namespace walkcycle {
 
-// What CrowdPoser has on each of its threads: makes the palettes of one clip for one skin from tables (ClipTimeline). Four
-// joints are blended at once, transforms are three rows instead of four columns, and joints that do not reach the skin
-// are left out. Copies share the tables.
+// Computes the palettes of one clip for one skin from tables (ClipTimeline). It blends four joints at once, keeps
+// transforms as three rows instead of four columns, and leaves out joints that the skin does not depend on. CrowdPoser
+// has one per thread; copies share the tables.
 class FastPoser {
 public:
-    // Keeps nothing of its arguments.
+    // Copies what it needs from its arguments.
     FastPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin);
 
     std::size_t paletteSize() const { return tables_->palette.size(); }
     double lengthInSeconds() const { return tables_->length; }
 
-    // As CrowdPoser::pose. One after the other, allocates nothing.
+    // As CrowdPoser::pose, but on the calling thread alone. Allocates nothing.
     void pose(std::span<const double> seconds, std::span<JointRows> palettes);
 
-    std::size_t tableBytes() const;  // what all copies share
+    std::size_t tableBytes() const;  // size of the tables that all copies share
 
 private:
     struct Entry {
@@ -37,17 +37,17 @@ private:
     struct Tables {
         std::vector<ClipTimeline> timelines;
         std::vector<int> parents;  // per slot
-        std::vector<Rows> rest;    // per slot: the local transform of what does not move
+        std::vector<Rows> rest;    // per slot: the local transform, for joints that do not move
         Rows root{};
         std::vector<Entry> palette;
-        int placedBy = kNoParent, placedRelativeTo = kNoParent;  // slots
+        int placedBy = kNoParent, placedRelativeTo = kNoParent;  // slots, or kNoParent; see Skin
         glm::mat4 placedInRoot{1.0f};
         double start = 0.0, length = 0.0;
     };
     void poseOne(double documentSeconds, std::span<JointRows> palette);
 
     std::shared_ptr<const Tables> tables_;
-    std::vector<Rows> locals_, models_;  // per slot: of the joints that matter, parents first
+    std::vector<Rows> locals_, models_;  // per slot, parents first: local and model transforms
 };
 
 }  // namespace walkcycle

@@ -16,21 +16,21 @@ using Group = ClipTimeline::Group;
 
 constexpr std::size_t kLanes = 4;
 
-constexpr std::size_t kMostTimesTheKeys = 4;  // what a shared timeline may cost
-constexpr std::size_t kSmall = 1024;          // transforms that nobody counts
-constexpr double kSame = 1e-8;                // less than a float can tell
+constexpr std::size_t kMostTimesTheKeys = 4;  // how many transforms a shared timeline may hold per key
+constexpr std::size_t kSmall = 1024;          // transforms that any timeline may hold
+constexpr double kSame = 1e-8;                // relative; a float cannot hold a smaller difference
 
-// What a channel changes, and in which form: lanes of like kinds come to stand in one group.
+// Flags: what a channel changes, and in which form. Lanes are sorted by kind, so that similar ones share a group.
 enum Kind : unsigned int { kRotates = 1, kScales = 2, kMoves = 4, kCubic = 8, kMatrix = 16 };
 
-// A joint's channel on its way into a timeline.
+// The channel of one joint, to be written into one lane of a timeline's Float4s.
 struct Lane {
     ExactChannel channel;
     int slot = 0;
     unsigned int kind = 0;
 };
 
-// A row, and which side of its time it is.
+// The time of a row. A jump has two rows, one for each side.
 struct RowTime {
     double seconds = 0.0;
     Side side = Side::Right;
@@ -51,12 +51,12 @@ bool differ(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::distance(a, b) > kSame * glm::length(b);
 }
 
-// Makes one timeline of the channels that share it.
-class Builder {
+// Writes the timeline that some channels share.
+class TimelineWriter {
 public:
-    explicit Builder(std::span<Lane> lanes) : lanes_(lanes) {}
+    explicit TimelineWriter(std::span<Lane> lanes) : lanes_(lanes) {}
 
-    ClipTimeline build(const std::vector<double>& times) {
+    ClipTimeline write(const std::vector<double>& times) {
         makeRows(times);
         for (Lane& lane : lanes_) lane.kind = kindOf(lane.channel);
         std::stable_sort(lanes_.begin(), lanes_.end(),
@@ -84,7 +84,7 @@ private:
         timeline_.rowsPerSecond = std::isfinite(rate) ? rate : 0.0;
     }
 
-    // Each row is held against the first, so that nothing drifts away unseen.
+    // Compares each row with the first one, since a slow drift is too small from row to row.
     unsigned int kindOf(const ExactChannel& channel) const {
         if (channel.isMatrix()) return kMatrix;
         if (channel.isCubic()) return kCubic | kRotates | kScales | kMoves;
@@ -113,7 +113,7 @@ private:
             timeline_.matrices.push_back({lanes_[next].slot, place(true, 3)});
     }
 
-    // Returns the first lane that is not in it any more.
+    // Makes a group of up to four lanes. Returns the lane that follows them.
     std::size_t addGroup(std::size_t first) {
         Group group;
         unsigned int kind = lanes_[first].kind;
@@ -179,7 +179,7 @@ private:
                    Float4* numbers) const {
         const double begin = rows_[row].seconds;
         const double end = row + 1 < rows_.size() ? rows_[row + 1].seconds : begin;
-        int place = group.rotationAt;  // position and scale come right behind
+        int place = group.rotationAt;  // followed by position and scale
         for (const ExactChannel::Cubic& curve : channel.cubicsBetween(begin, end))
             for (const double coefficient : curve)
                 numbers[place++][static_cast<int>(lane)] = static_cast<float>(coefficient);
@@ -187,11 +187,11 @@ private:
 
     std::span<Lane> lanes_;
     std::vector<RowTime> rows_;
-    std::vector<const Lane*> members_;  // of the groups, four each
+    std::vector<const Lane*> members_;  // four per group
     ClipTimeline timeline_;
 };
 
-// A channel joins the timeline before it as long as all of them need not much more numbers there than their keys have.
+// Whether so many channels may share a timeline of so many rows: it must not hold many more numbers than their keys.
 bool fits(std::size_t rows, std::size_t lanes, std::size_t keys) {
     return rows * lanes <= kMostTimesTheKeys * keys + kSmall;
 }
@@ -221,7 +221,7 @@ std::vector<ClipTimeline> makeTimelines(const Animation& animation, std::span<co
             if (!fits(both.size(), end + 1 - first, keys)) break;
             times = std::move(both);
         }
-        timelines.push_back(Builder(std::span(lanes).subspan(first, end - first)).build(times));
+        timelines.push_back(TimelineWriter(std::span(lanes).subspan(first, end - first)).write(times));
         first = end;
     }
     return timelines;

@@ -12,26 +12,26 @@
 
 namespace walkcycle {
 
-// Makes the palettes of one clip for one skin: of any number of characters that differ in nothing but their time, which
-// is all there is to keep of each. The palettes are those of Animator and computePalette, to 1e-6 (of the larger of 1 and
-// the number); docs/performance.md says how much faster they come. The work is shared out to threads in small
-// portions; they start once and sleep between calls.
+// Computes the palettes of one clip for one skin, for any number of characters that differ only in their time: the
+// caller keeps nothing else of a character. The palettes differ from those of Animator and computePalette by at most 1e-6
+// (times the number, if it is larger than 1); docs/performance.md says how much faster they are computed. Several threads
+// share the work in small portions; they start once and sleep between calls.
 class WALKCYCLE_API CrowdPoser {
 public:
-    // Keeps nothing of its arguments but `threads`: how many work, the calling one included (so 1 starts none). 0: as many
-    // as the machine has processors.
+    // Copies what it needs: skeleton, animation and skin need not outlive it. `threads` is how many threads work,
+    // including the caller's (so 1 starts none); 0 means one per processor.
     CrowdPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin,
                unsigned int threads = 0);
     ~CrowdPoser();
     CrowdPoser(CrowdPoser&&) noexcept;
     CrowdPoser& operator=(CrowdPoser&&) noexcept;
 
-    std::size_t paletteSize() const;  // Skin::joints.size()
+    std::size_t paletteSize() const;  // matrices per palette: Skin::joints.size()
     double lengthInSeconds() const;   // of the clip
 
-    // One palette after the other: that of seconds[i] since the clip's start begins at palettes[i * paletteSize()], and
-    // there must be room for all. Wraps around the clip's ends, forwards and backwards. Returns when all are done. Not to
-    // be called by two threads at once. Allocates nothing.
+    // Writes one palette per character: that of seconds[i], counted from the clip's start, begins at
+    // palettes[i * paletteSize()]. `palettes` must have room for all of them. Times before the clip's start and after its
+    // end wrap around. Returns when all palettes are written. Allocates nothing. Two threads must not call it at once.
     void pose(std::span<const double> seconds, std::span<JointRows> palettes);
 
     // The same for a single character.
