@@ -29,7 +29,7 @@ void checkVersion(XmlNode collada, const LoadContext& context) {
         context.diagnostics.report(Code::UnknownVersion, collada, {version});
 }
 
-// Which schema address stands there changes nothing about how the document is read.
+// Only reports: the schema address does not change how the document is read.
 void checkNamespace(XmlNode collada, const LoadContext& context) {
     const std::string qualified = collada.element()->Name();
     const std::size_t colon = qualified.find(':');
@@ -81,7 +81,7 @@ private:
     std::uint64_t vertices_ = 0, parts_ = 0;
 };
 
-// Meshes, skins, morphs and materials; what only they were made from is given back before the keyframes take memory.
+// Loads meshes, skins, morphs and materials. Frees their sources before the key frames take memory.
 void loadInstances(XmlNode collada, SkeletonLoader& skeletons, MaterialLoader& materials,
                    const LoadContext& context, Model& model, AnimationTargets& targets) {
     MeshLibrary meshes(context, model.asset, collada);
@@ -97,7 +97,7 @@ void loadInstances(XmlNode collada, SkeletonLoader& skeletons, MaterialLoader& m
     context.sources.forgetFloats();
 }
 
-// The page of the file format: each library in the order in which the next one needs it.
+// Loads the document's libraries, each after those that it depends on.
 void loadModel(XmlNode collada, const LoadContext& context, Model& model) {
     MaterialLoader materials(context, model);
     materials.decodeAhead(collada);

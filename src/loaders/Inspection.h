@@ -6,9 +6,9 @@
 
 namespace walkcycle {
 
-// A document and the model that was made of it, for those who ask what the model no longer knows: which elements a
-// part came from, at which offsets, in which order. It lives as long as the call of LoadOptions::inspector;
-// what is found goes to context.diagnostics, and from there to Model::diagnostics.
+// A document and the model that was made of it, for rules about things that the model does not keep: which elements a part
+// came from, at which offsets, in which order. It exists during the call of LoadOptions::inspector. Findings go to
+// context.diagnostics, and from there to Model::diagnostics.
 struct Inspection {
     XmlNode collada;
     const SceneGraph& scene;

@@ -8,19 +8,19 @@
 
 namespace walkcycle {
 
-// Thrown by loadCollada where nothing of the file can be shown, and where the caller cancelled. what() is the reason as
-// one line, in the form of toString(Diagnostic).
+// Thrown by loadCollada if nothing of the file can be shown, or if the caller cancelled. what() is the reason in one
+// line, as toString(Diagnostic) writes it.
 struct WALKCYCLE_API LoadError : std::runtime_error {
-    // The last of `all`, of which there must be one, is the reason.
+    // `all` must not be empty; its last entry is the reason.
     explicit LoadError(std::vector<Diagnostic> all);
 
     // Why the load stopped.
     const Diagnostic& reason() const { return diagnostics.back(); }
 
-    // Whether LoadOptions::cancelled stopped it: then the file may be in order.
+    // Whether LoadOptions::cancelled stopped the load. The file may be valid then.
     bool cancelled() const;
 
-    std::vector<Diagnostic> diagnostics;  // all that was said of the file; the reason is the last
+    std::vector<Diagnostic> diagnostics;  // everything reported about the file; the reason is the last entry
 };
 
 }  // namespace walkcycle

@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// What a load may cost: files come from strangers. Honest files of 150 MB fit under the defaults, and every message of a
-// limit names it. kLimits below says what each counts and why it is there. A limit of 0 allows nothing of its kind.
+// The most that a load may cost, since files come from strangers. Honest files of 150 MB stay below the defaults. A
+// message about a limit names it. kLimits below says what each limit counts, and why. A limit of 0 allows none.
 struct LoadLimits {
     std::uint64_t maxFileBytes = std::uint64_t{1} << 30;
     std::uint64_t maxElements = 20'000'000;
@@ -39,55 +39,53 @@ struct LoadLimits {
     ImageLimits image() const { return {maxImageDimension, maxImagePixels}; }
 };
 
-// A limit as messages and pages tell of it.
+// How messages and docs/limits.md describe a limit.
 struct LimitInfo {
     std::string_view name;  // "influences"
     std::uint64_t LoadLimits::*value;
-    std::string_view unit;  // "1025 <unit> are over the limit influences=1024"
-    std::string_view why;
-    std::uint64_t most = UINT64_MAX;  // the largest value that it can have
+    std::string_view unit;            // "1025 <unit> are over the limit influences=1024"
+    std::string_view why;             // for docs/limits.md
+    std::uint64_t most = UINT64_MAX;  // the largest value that the limit can be set to
 };
 
-// Every limit there is; docs/limits.md is made from these rows.
+// All limits. docs/limits.md is generated from these rows.
 inline constexpr LimitInfo kLimits[] = {
     {"file-bytes", &LoadLimits::maxFileBytes, "bytes of a file",
-     "A file is read whole. Characters are under 150 MB; what is larger is rarely a character."},
+     "A file is read whole. Characters are under 150 MB; a larger file is rarely one."},
     {"elements", &LoadLimits::maxElements, "XML elements of a document",
      "An element of five bytes costs some 150 bytes of memory. They are counted before the document is "
      "parsed."},
     {"nesting", &LoadLimits::maxNesting, "levels of nested elements",
-     "The XML reader goes down by recursion and is built to stop here.", 98},
+     "The XML parser recurses once per level, and is built to stop here.", 98},
     {"numbers", &LoadLimits::maxNumbers, "numbers of one list",
      "A number of two bytes of text takes eight in memory. They are counted before they are parsed."},
     {"positions", &LoadLimits::maxPositions, "positions that meshes, skins and morph targets hold",
-     "Many meshes may share one long source, and many skins and morph targets one mesh: each has a copy of "
-     "its "
-     "own."},
+     "Many meshes may share one long source, and many skins and morph targets one mesh: each has its own "
+     "copy."},
     {"vertices", &LoadLimits::maxVertices, "vertices of all drawn meshes",
-     "A mesh counts each time that it is drawn: what a picture or a pose costs."},
+     "A mesh counts each time that it is drawn, since it costs as much in a picture or a pose."},
     {"polygon-corners", &LoadLimits::maxPolygonCorners, "corners of one polygon with its holes",
-     "Cutting a concave polygon into triangles takes up to 200 looks at its corners per corner."},
+     "Cutting a concave polygon into triangles visits up to 200 corners per corner."},
     {"influences", &LoadLimits::maxInfluencesPerVertex, "influences of one vertex",
-     "The shader and the posed mesh add up all of them. Honest rigs have up to a dozen."},
+     "The shader and CPU skinning add up all of them. Honest rigs have up to a dozen."},
     {"skin-joints", &LoadLimits::maxSkinJoints, "joints of all instances of skins",
-     "Each instance of a skin has a palette of its own, and so little text as one reference makes one."},
+     "Each instance of a skin has its own palette, and a single reference makes an instance."},
     {"nodes", &LoadLimits::maxNodes, "nodes of the scene",
-     "A node takes some 800 bytes of memory, and a place in every pose."},
+     "A node takes some 800 bytes of memory, and a matrix in every pose."},
     {"scene-depth", &LoadLimits::maxSceneDepth, "levels of nodes in the scene",
-     "Nested elements end at 98 levels, but <instance_node> goes on. For each level, loops are looked for in "
-     "all above."},
+     "Nested elements end at 98 levels, but <instance_node> adds more. Each level is compared with all "
+     "above it, to find loops."},
     {"node-text", &LoadLimits::maxNodeText, "bytes of the names and ids of the scene's nodes",
-     "Each occurrence of an instanced node has them again, and a file chooses how long they are."},
+     "Each instance of a node has its own copy of them, and they may be of any length."},
     {"instanced-elements", &LoadLimits::maxInstancedElements, "elements repeated by <instance_node>",
-     "Instances within instances multiply: forty small nodes can mean a million million. Each node counts "
-     "with "
-     "its children every time."},
+     "Instances within instances multiply: forty small nodes can become a million million. A node counts "
+     "with its children, once per instance."},
     {"instances", &LoadLimits::maxInstances, "drawn meshes, counted with their parts,",
-     "Each instance of a mesh has materials of its own for every part of it."},
+     "Each instance of a mesh has its own material for every part."},
     {"key-numbers", &LoadLimits::maxKeyNumbers, "numbers in the keys of all samplers",
-     "Many samplers may share one long source; each makes a curve of its own."},
-    {"key-frames", &LoadLimits::maxKeyFrames, "keyframes made from the curves",
-     "One sampler may move many joints, and clips may repeat it: each of them gets keyframes of its own."},
+     "Many samplers may share one long source; each makes its own curve."},
+    {"key-frames", &LoadLimits::maxKeyFrames, "key frames made from the curves",
+     "One sampler may move many joints, and clips may repeat it: each time it makes new key frames."},
     {"documents", &LoadLimits::maxDocuments, "other documents",
      "A document may refer to others, which refer to others."},
     {"image-dimension", &LoadLimits::maxImageDimension, "pixels on a side of a picture",
@@ -96,19 +94,19 @@ inline constexpr LimitInfo kLimits[] = {
      "A pixel takes four bytes, and a few bytes of a file can claim billions of them.",
      std::uint64_t{1} << 32},
     {"total-pixels", &LoadLimits::maxTotalPixels, "pixels of all pictures",
-     "Many pictures may each be within theirs."},
+     "Each of many pictures may be within its own limits."},
     {"archive-bytes", &LoadLimits::maxArchiveBytes, "bytes unpacked from an archive",
      "A .zae, or a document packed by gzip, can hold far more than its size."},
     {"archive-entries", &LoadLimits::maxArchiveEntries, "entries of an archive",
-     "Their names are all read when it is opened."},
+     "All names are read when the archive is opened."},
     {"archive-ratio", &LoadLimits::maxArchiveRatio, "times its packed size",
-     "What is over a megabyte and packs better than this was made to be a bomb. Text of numbers packs to a "
-     "tenth."},
+     "Data of over a megabyte that pack better than this were made to be a bomb. Text of numbers packs "
+     "to a tenth."},
     {"messages", &LoadLimits::maxMessages, "messages about different things",
-     "After that many, only codes are told apart, and the rest is counted. Nothing fails."},
+     "After that many, messages of one code are counted together, whatever they are about. Nothing fails."},
 };
 
-// The row of the limit that has this name; null where there is none.
+// The row of the limit that has this name; null if there is none.
 constexpr const LimitInfo* findLimit(std::string_view name) {
     for (const LimitInfo& limit : kLimits)
         if (limit.name == name) return &limit;
