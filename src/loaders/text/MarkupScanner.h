@@ -5,11 +5,11 @@
 
 namespace walkcycle {
 
-// Walks the markup of a document without parsing it: tells where each tag, comment and the like begins and ends.
+// Walks the markup of a document without parsing it: finds where each tag, comment and so on begins and ends.
 //
 //     for (MarkupScanner markup(document); markup.next();) use(markup.kind(), markup.begin(), markup.end());
 //
-// Inline: walks nearly every character of a document that is no number.
+// Inline: runs over nearly all characters of a document outside its number lists.
 class MarkupScanner {
 public:
     static constexpr std::size_t kNone = std::string_view::npos;
@@ -17,7 +17,7 @@ public:
 
     explicit MarkupScanner(std::string_view document) : document_(document) {}
 
-    // Goes to the next markup; false where there is none. What stands between two of them is text.
+    // Moves to the next markup; returns false if there is none. Between two of them there is only text.
     bool next() {
         begin_ = end_ == kNone ? kNone : document_.find('<', end_);
         if (begin_ == kNone) return false;
@@ -28,13 +28,13 @@ public:
     }
 
     Kind kind() const { return kind_; }
-    std::size_t begin() const { return begin_; }  // of its '<'
-    // Just behind its '>'; kNone where it is cut short. Nobody but an XML parser can tell where a declaration
-    // (<!DOCTYPE ...>) ends: kNone as well.
+    std::size_t begin() const { return begin_; }  // position of its '<'
+    // The position behind its '>'; kNone if the markup is cut short. Also kNone for a declaration (<!DOCTYPE ...>), whose
+    // end only an XML parser can find.
     std::size_t end() const { return end_; }
-    std::size_t attributes() const { return attributes_; }  // of a tag
+    std::size_t attributes() const { return attributes_; }  // how many a tag has
 
-    // next() goes on from here: behind text that needs no look, or inside a declaration.
+    // Lets next() continue at a position: behind text that can be skipped, or inside a declaration.
     void moveTo(std::size_t at) { end_ = at; }
 
 private:
@@ -71,7 +71,7 @@ private:
         return found == kNone ? kNone : found + end.size();
     }
 
-    // A '>' may stand in an attribute's quotes as well.
+    // A '>' between an attribute's quotes does not end the tag.
     std::size_t endOfTag() {
         for (std::size_t at = begin_; at < document_.size();) {
             const char c = document_[at++];

@@ -11,7 +11,7 @@
 namespace walkcycle {
 namespace {
 
-// About how many words a text has, from a look at some places of it: never more than it could hold.
+// Estimates how many words a text has, from samples of it; never more than it could hold.
 std::size_t estimateWords(std::string_view text) {
     constexpr std::size_t kPlaces = 4, kLength = 64;
     if (text.size() <= kPlaces * kLength) return countWords(text);
@@ -23,7 +23,7 @@ std::size_t estimateWords(std::string_view text) {
                     text.size() / 2 + 1);
 }
 
-// Reads the numbers of one text to the end of a vector.
+// Parses the numbers of one text and appends them to a vector.
 template <typename T>
 class ListReader {
 public:
@@ -31,15 +31,15 @@ public:
                const PieceRead& pieceRead)
         : text_(text), values_(values), faults_(faults), pieceRead_(pieceRead), before_(values.size()) {}
 
-    // Makes room for about so many values.
+    // Makes room for about `more` values.
     void reserve(std::size_t more) {
-        // As push_back() does it, not exactly: many short lists may be appended to one vector.
+        // Doubles the capacity, as push_back() does: many short lists may be appended to one vector.
         const std::size_t wanted = values_.size() + more;
         if (wanted > values_.capacity())
             values_.reserve(values_.empty() ? wanted : std::max(wanted, 2 * values_.capacity()));
     }
 
-    // All words but the last few are read where they stand; those from a copy with more behind it.
+    // readPlain() looks at characters behind the word, so the last words are parsed from a padded copy.
     void read() {
         const std::size_t tail = lastWords();
         for (std::size_t at = 0; at < tail;) {
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // Where a word begins, some milliseconds of reading behind `at`; `most` (where one begins) at the end of the text.
+    // Where a piece that begins at `at` ends: at the beginning of a word, some milliseconds of parsing later, or at `most`.
     std::size_t endOfPiece(std::size_t at, std::size_t most) const {
         constexpr std::size_t kPiece = std::size_t{1} << 20;
         if (most - at <= kPiece) return most;
@@ -70,14 +70,14 @@ private:
         return end;
     }
 
-    // Where a word begins that has seven characters more behind its first; the text's start where there is none.
+    // Where the words begin that are too close to the text's end to be parsed in place (see PlainNumber.h).
     std::size_t lastWords() const {
         std::size_t at = text_.size() < 8 ? 0 : text_.size() - 8;
         while (at > 0 && (isWhiteSpace(text_[at]) || !isWhiteSpace(text_[at - 1]))) --at;
         return at;
     }
 
-    // Reads up to `stop`, where a word begins; `offset` is where in the text the first character stands.
+    // Parses the words before `stop`, where a word begins; `offset` is the position of `first` in the text.
     void readWords(const char* const first, const char* const stop, std::size_t offset) {
         const char* at = first;
         while (at < stop) {
@@ -91,7 +91,7 @@ private:
         }
     }
 
-    // Into the block; gives where the word ends.
+    // Parses one word into the block, and returns where it ends.
     const char* readWord(const char* at, std::size_t place, std::size_t index) {
         const char* const after = readPlain(at, block_[index]);
         return after ? after : at + judge(place, values_.size() + index - before_, block_[index]);
@@ -99,7 +99,7 @@ private:
 
     void keep(std::size_t count) { values_.insert(values_.end(), block_.data(), block_.data() + count); }
 
-    // The word at a place of the text in full rigour; gives its length.
+    // Parses the word at a place of the text by all rules, or notes the fault. Returns the word's length.
     std::size_t judge(std::size_t place, std::size_t index, T& value) {
         const char* const word = text_.data() + place;
         const char* const end = text_.data() + text_.size();
@@ -136,7 +136,7 @@ std::string shortened(std::string_view token) {
                                         : std::string(token);
 }
 
-// The last or first token of a text; empty where there is none.
+// The last and the first token of a text; empty if there is none.
 std::string_view lastToken(std::string_view text) {
     text = trim(text);
     std::size_t start = text.size();

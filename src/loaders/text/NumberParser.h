@@ -9,21 +9,23 @@
 
 namespace walkcycle {
 
-// The one place where text becomes numbers. Locale-free, whole tokens only: "1.5x", "0x10", "1,5", "--1" and "1e400"
-// are faults; "+1", ".5", "1.", denormals (rounded) and any XML white space are fine. INF, -INF and NaN, which xs:float
-// allows, are faults too: what the loader does about them is the caller's choice.
+// The one place that parses numbers. The locale does not matter, and a token must be a number as a whole: "1.5x", "0x10",
+// "1,5", "--1" and "1e400" are faults; "+1", ".5", "1.", denormals (rounded) and any XML white space are fine. INF, -INF
+// and NaN, which xs:float allows, are faults, too; the caller decides how to report them.
+
+// A token that is not a usable number.
 struct NumberFault {
-    std::size_t index = 0;   // which number of the list
-    std::size_t offset = 0;  // where in the text its token starts
+    std::size_t index = 0;   // of the number in the list
+    std::size_t offset = 0;  // of the token in the text
     std::string_view token;
 };
 
-// Told of each piece of a text that was read, of so many characters: all of them together once the text is read. A piece
-// takes a few milliseconds. What it throws ends the reading.
+// Called after each piece of a text is parsed, with the piece's length; the lengths sum up to that of the text. A piece
+// takes a few milliseconds. An exception of the callback ends the parsing.
 using PieceRead = std::function<void(std::size_t characters)>;
 
-// Parses white-space separated numbers until the text ends, appending to `values` (a faulty token appends 0, and its
-// fault to `faults`, the first kMaxFaults of them).
+// Parses numbers separated by white space, and appends them to `values`. For a faulty token it appends 0, and adds the
+// fault to `faults` unless there are kMaxFaults already.
 void parseNumbers(std::string_view text, std::vector<float>& values, std::vector<NumberFault>& faults,
                   const PieceRead& pieceRead = {});
 void parseNumbers(std::string_view text, std::vector<double>& values, std::vector<NumberFault>& faults,
@@ -32,11 +34,12 @@ void parseNumbers(std::string_view text, std::vector<std::int32_t>& values, std:
                   const PieceRead& pieceRead = {});
 inline constexpr std::size_t kMaxFaults = 16;
 
-// A faulty token with the few before and after it, so that it can be found in a long line: "... 0 1 1,5 3 4 ...".
-// Empty where it stands alone.
+// A faulty token with some tokens before and after it, so that it can be found in a long line: "... 0 1 1,5 3 4 ...".
+// Empty if it is the only token.
 std::string surroundings(std::string_view text, const NumberFault& fault);
 
-// One number and nothing else but white space around it. False where it is not one (or not finite).
+// Parses a text that holds one number, and white space around it at most. Returns false if it does not, or if the number
+// is not finite or out of range.
 bool parseNumber(std::string_view text, double& value);
 bool parseNumber(std::string_view text, std::int32_t& value);
 bool parseUnsigned(std::string_view text, std::uint64_t& value);  // a count

@@ -11,7 +11,7 @@
 namespace walkcycle {
 namespace {
 
-constexpr std::size_t kWorthCutting = 32;  // shorter texts cost less in place
+constexpr std::size_t kWorthCutting = 32;  // bytes; it is cheaper to leave shorter texts in place
 
 bool endsName(char c) {
     return c == '>' || c == '/' || c == ' ' || c == '\t' || c == '\r' || c == '\n';
@@ -21,7 +21,7 @@ int countLines(std::string_view text) {
     return static_cast<int>(countLineBreaks(text));
 }
 
-// Everything between `copied_` and the next text that is cut out is carried over.
+// Copies a document without the texts that it cuts out. The part before `copied_` is done.
 class Cutter {
 public:
     explicit Cutter(std::string_view document) : document_(document) {}
@@ -42,7 +42,7 @@ private:
         return document_.substr(at, start.size()) == start;
     }
 
-    // Just behind the text that was cut out behind the start tag [begin, end); `end` where none was.
+    // Cuts out the text that follows the start tag [begin, end), if it can. Returns where that text ends, or `end`.
     std::size_t afterText(std::size_t begin, std::size_t end) {
         const std::string_view name = nameAt(begin + 1);
         if (!holdsNumberText(name)) return end;

@@ -12,7 +12,7 @@
 namespace walkcycle {
 namespace {
 
-// What stands behind the 'e' of a number; about as much as a 64-bit number holds where it is larger.
+// The exponent behind the 'e' of a number, clamped to 2^62 in size.
 std::int64_t exponentOf(std::string_view digits) {
     if (digits.starts_with('+')) digits.remove_prefix(1);
     std::int64_t exponent = 0;
@@ -22,8 +22,8 @@ std::int64_t exponentOf(std::string_view digits) {
     return std::clamp(exponent, -kHuge, kHuge);
 }
 
-// A number too small to be told from zero is zero; one too large is a fault. from_chars reports both alike, so the power
-// of ten of the first digit that is not zero decides.
+// For a number that from_chars reports as out of range: returns true, with 0 as the value, if it is too small; false, a
+// fault, if it is too large. The power of ten of its first digit other than zero decides.
 template <typename T>
 bool roundsToZero(const char* first, const char* last, T& value) {
     const std::string_view token(first, static_cast<std::size_t>(last - first));
@@ -44,7 +44,7 @@ bool parse(const char* first, const char* last, T& value) {
     if (end != last) return false;
     if constexpr (std::is_floating_point_v<T>) {
         if (error == std::errc::result_out_of_range) return roundsToZero(first, last, value);
-        // A double that no float can hold is out of range as well: the model is made of floats.
+        // A double that is too large for a float is out of range, too: the model is made of floats.
         return error == std::errc{} && std::abs(value) <= T{std::numeric_limits<float>::max()};
     }
     return error == std::errc{};

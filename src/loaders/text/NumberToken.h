@@ -4,8 +4,8 @@
 
 namespace walkcycle {
 
-// One word as a number, in full rigour: nothing left over, within the type's range, and for floating-point numbers within
-// that of a float as well, since the model is made of those. `first` and `last` enclose it; it is not empty.
+// Parses the word [first, last), which is not empty. Returns false unless the whole word is a number in the type's range;
+// a double must also be in the range of a float, since the model is made of floats.
 bool parseToken(const char* first, const char* last, float& value);
 bool parseToken(const char* first, const char* last, double& value);
 bool parseToken(const char* first, const char* last, std::int32_t& value);

@@ -11,12 +11,12 @@
 
 namespace walkcycle {
 
-// The numbers that exporters write, in one pass over their characters; what is unusual in any way (very many digits, a
-// large exponent, a plus sign, no number at all) is left to the caller. `at` is the first character of a word that white
-// space ends, and of the seven characters behind that may be looked at as well. Each gives where the word ends, or null
-// where it is not as expected.
+// readPlain() parses numbers as exporters write them, in one pass over their characters. It leaves unusual ones (very many
+// digits, a large exponent, a plus sign, no number at all) to the caller. `at` is the first character of a word. White
+// space must follow the word, and at least seven more characters after that, since eight are loaded at once. It returns
+// where the word ends, or null if the word is unusual; so do the functions that it calls.
 
-// (Within a function they would be copied to the stack for each number.)
+// Powers of ten. (As constants within a function they would be copied to the stack for each number.)
 inline constexpr std::array<std::uint32_t, 9> kWholePowers{1,      10,      100,      1000,     10000,
                                                            100000, 1000000, 10000000, 100000000};
 inline constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -29,15 +29,15 @@ inline bool isDigit(char c) {
 
 inline constexpr bool kFirstByteIsLowest = std::endian::native == std::endian::little;
 
-// Eight characters; each byte that is a digit becomes what it is worth.
+// Loads eight characters; a byte that holds a digit becomes the digit's value.
 inline std::uint64_t eightDigits(const char* at) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, at, 8);
     return bytes ^ 0x3030303030303030u;
 }
 
-// The number that eight digits make, the first of them in the lowest byte: neighbours are joined to pairs, fours and
-// eight.
+// The number that eight digits make; the first digit is in the lowest byte. Joins neighbours into pairs, pairs into fours,
+// and these into eight.
 inline std::uint32_t joinDigits(std::uint64_t bytes) {
     bytes = bytes * 10 + (bytes >> 8);
     bytes = (bytes & 0x000000FF000000FFu) * 0x000F424000000064u +
@@ -45,8 +45,8 @@ inline std::uint32_t joinDigits(std::uint64_t bytes) {
     return static_cast<std::uint32_t>(bytes >> 32);
 }
 
-// The digits at the start of eight characters and how many they are. All at once, where the machine's first byte is the
-// lowest: those from the first other character on are shifted out.
+// Parses the digits at the start of eight characters, and returns how many there are. On a little-endian machine it
+// handles all at once: the characters from the first other one on are shifted out.
 inline unsigned readUpToEightDigits(const char* at, std::uint32_t& number) {
     if constexpr (kFirstByteIsLowest) {
         const std::uint64_t bytes = eightDigits(at);
@@ -75,15 +75,14 @@ inline const char* readPlain(const char* at, std::int32_t& value) {
     return at;
 }
 
-// Digits with a point behind one of them: a whole number, and how many of its digits are behind the point. One that is
-// not long has no more than eight digits.
+// Digits, with or without a point: the whole number that they make, and how many of them are behind the point.
 struct PlainDigits {
     std::uint64_t number = 0;
     unsigned behindPoint = 0;
-    bool isLong = false;
+    bool isLong = false;  // false: at most eight digits
 };
 
-// Null where the first character is no digit, or a longer number might not fit.
+// Returns null if the first character is no digit, or if the number might not fit into 64 bits.
 inline const char* readDigits(const char* at, PlainDigits& digits) {
     constexpr std::ptrdiff_t kLongest = 19;  // eighteen digits and the point
     const char* const first = at;
@@ -107,7 +106,7 @@ inline const char* readDigits(const char* at, PlainDigits& digits) {
     return digits.isLong && at - first > kLongest ? nullptr : at;
 }
 
-// What stands behind an 'e'; null where it is not a few digits.
+// Parses the exponent behind an 'e'; returns null unless it is one to four digits.
 inline const char* readExponent(const char* at, std::ptrdiff_t& exponent) {
     const bool negative = *at == '-';
     if (negative || *at == '+') ++at;
@@ -118,8 +117,9 @@ inline const char* readExponent(const char* at, std::ptrdiff_t& exponent) {
     return count == 0 || count > 4 || !isWhiteSpace(*at) ? nullptr : at;
 }
 
-// The double nearest to a number over or times a power of ten. With at most 53 bits, and a power that a double holds
-// exactly, the one operation rounds once (Clinger), and that is it; with more it may be two units in the last place off.
+// number / 10^power. A number of at most 53 bits and the power are both exact as doubles, so that the only rounding is the
+// division's, and the result is the nearest double (W. Clinger, "How to Read Floating Point Numbers Accurately", 1990).
+// With more bits, it may be two units in the last place off.
 inline double overPower(std::uint64_t number, std::ptrdiff_t power) {
     return static_cast<double>(static_cast<std::int64_t>(number)) / kPowers[static_cast<std::size_t>(power)];
 }
@@ -128,7 +128,7 @@ inline double withSign(double value, std::uint64_t isNegative) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | isNegative << 63);
 }
 
-// The same with an exponent. False where the power is too large, or the number may be for a float.
+// The same for a number with an exponent. Returns false if the power is too large, or the number too large for a float.
 inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, double& value) {
     const std::ptrdiff_t power =
         digits.number == 0 ? 0 : exponent - static_cast<std::ptrdiff_t>(digits.behindPoint);
@@ -141,6 +141,7 @@ inline bool withExponent(const PlainDigits& digits, std::ptrdiff_t exponent, dou
 
 inline constexpr std::uint64_t kExactInDouble = std::uint64_t{1} << 53;
 
+// Parses a number. Long digits that make more than `most` are unusual; above 2^53 the result is not quite the nearest double.
 inline const char* readNearby(const char* at, std::uint64_t most, double& value) {
     const std::uint64_t sign = static_cast<std::uint64_t>(*at == '-');
     PlainDigits digits;
@@ -162,9 +163,9 @@ inline const char* readPlain(const char* at, double& value) {
     return readNearby(at, kExactInDouble, value);
 }
 
-// The float nearest to a number of which this is the nearest double, or one beside it: the same as the double's, unless
-// that is about halfway between two floats. (None of these doubles is too small or too large for a normal float, but
-// zero.)
+// Rounds a double that is within a few units in the last place of a number to the float nearest to that number. Returns
+// false if the double is about halfway between two floats: the number might be nearer to the other one. (Except zero, no
+// double from readNearby() is too small or too large for a normal float.)
 inline bool roundAgain(double nearby, float& value) {
     constexpr std::uint64_t kBitsBelow = (1u << 29) - 1, kHalf = 1u << 28, kSlack = 4;
     value = static_cast<float>(nearby);

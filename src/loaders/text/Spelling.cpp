@@ -9,13 +9,13 @@
 namespace walkcycle {
 namespace {
 
-constexpr std::size_t kLongestWord = 40;  // longer ones are not looked at: no word of the format is
+constexpr std::size_t kLongestWord = 40;  // bytes; no word of the format is longer
 
 char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// How many letters must be added, left out, changed or swapped with their neighbour (Damerau and Levenshtein's distance).
+// The Damerau-Levenshtein distance: how many letters must be added, left out, changed or swapped with their neighbour.
 std::size_t slipsBetween(std::string_view a, std::string_view b) {
     using Row = std::array<std::size_t, kLongestWord + 1>;
     Row twoBefore{}, before{}, row{};
@@ -40,7 +40,7 @@ std::size_t slipsBetween(std::string_view a, std::string_view b) {
 std::string_view nearest(std::string_view word, std::string_view known) {
     if (word.empty() || word.size() > kLongestWord) return {};
     std::string_view best;
-    std::size_t fewest = std::min<std::size_t>(2, word.size() / 3) + 1;  // so many are too many
+    std::size_t fewest = std::min<std::size_t>(2, word.size() / 3) + 1;  // this many are too many
     for (const std::string_view candidate : splitWords(known)) {
         if (candidate.size() > kLongestWord) continue;
         const std::size_t slips = slipsBetween(word, candidate);

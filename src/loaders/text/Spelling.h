@@ -6,14 +6,14 @@
 
 namespace walkcycle {
 
-// The word that was most likely meant, of those that are known (words between spaces): a letter or two apart, or in
-// another case. Empty where none is near.
+// The word of `known` (words separated by spaces) that `word` is most likely a misspelling of: a letter or two apart, or in
+// another case. Empty if there is none.
 std::string_view nearest(std::string_view word, std::string_view known);
 
 // The end of a message about an unknown word: "; perhaps 'NORMAL' is meant", or nothing.
 std::string didYouMean(std::string_view word, std::string_view known);
 
-// The one of `names` that differs from `name` in case alone (Windows and macOS do not tell them apart); empty if none.
+// The entry of `names` that equals `name` if case is ignored, as on Windows and macOS; empty if there is none.
 std::string inAnotherCase(const std::vector<std::string>& names, const std::string& name);
 
 }  // namespace walkcycle

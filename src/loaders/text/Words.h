@@ -8,7 +8,7 @@
 
 namespace walkcycle {
 
-// Words of a text: what stands between white space, in every locale. Every control character counts as white space:
+// White space separates the words of a text, whatever the locale. All control characters count as white space, since
 // exporters have written all of them.
 constexpr bool isWhiteSpace(char c) {
     return static_cast<unsigned char>(c) <= ' ';
@@ -20,10 +20,10 @@ std::string_view trim(std::string_view text);
 // All words, in order; views into `text`.
 std::vector<std::string_view> splitWords(std::string_view text);
 std::uint64_t countWords(std::string_view text);
-// Where the n-th word begins; npos if the text has fewer words.
+// Where word n begins, counted from 0; npos if the text has fewer words.
 std::size_t startOfWord(std::string_view text, std::size_t n);
 
-// Text of the file as it may stand in a one-line message: at most 200 bytes, control characters replaced by spaces.
+// Makes a file's text fit for a one-line message: at most 200 bytes, control characters replaced by spaces.
 std::string printable(std::string_view text);
 
 }  // namespace walkcycle
