@@ -30,13 +30,13 @@ struct Space {
     std::optional<UpAxis> upAxis;
 };
 
-// What the nearest <asset>s on the way up say; unit and axis may come from different ones.
+// Unit and up axis for an element, from the nearest <asset>s on the way up; the two may come from different ones.
 Space spaceOf(XmlNode element, const Asset& document, XmlNode rootCollada) {
     Space space;
     for (; element; element = element.parent()) {
         if (element == rootCollada) break;
-        const XmlNode first =
-            element.firstChild();  // where the schema wants it: no search through many siblings
+        // The schema puts <asset> first; looking there alone avoids a search through many siblings.
+        const XmlNode first = element.firstChild();
         const XmlNode asset = first.is("asset") ? first : XmlNode();
         if (!space.metersPerUnit) space.metersPerUnit = parseUnit(asset.child("unit"));
         if (!space.upAxis && asset.child("up_axis"))

@@ -7,16 +7,17 @@
 
 namespace walkcycle {
 
-// The document's <asset>, with what the options say instead of it. Faults are reported, and the specification's
-// defaults (1 metre, Y up) stand in.
+// Reads the document's <asset>; LoadOptions::upAxis and metersPerUnit override it. A fault is reported, and the
+// specification's default (1 metre, Y up) is used.
 Asset readAsset(XmlNode collada, const LoadContext& context);
 
-// From a space with this unit and up axis to Y-up metres. X_UP: (x, y, z) -> (-y, x, z); Z_UP: (x, y, z) -> (x, z, -y).
+// The matrix from a space with this unit and up axis to metres with Y up.
+// X_UP: (x, y, z) -> (-y, x, z); Z_UP: (x, y, z) -> (x, z, -y).
 glm::dmat4 toMetresYUp(double metersPerUnit, UpAxis upAxis);
 
-// An <asset> may stand on any element and speaks for everything inside it that has none of its own; other documents
-// have their own. This is the way from the space of `element` to the space of `around` (both elements of any of the
-// load's documents; `document` is the root document's asset, for it as the options see it).
+// The matrix from the space of `element` to the space of `around`: any element may have an <asset>, which applies to all
+// elements inside that have none of their own, and other documents have theirs. Both elements may be of any document of
+// the load. `document` is the root document's asset, with the options applied.
 glm::dmat4 assetConversion(XmlNode element, XmlNode around, const Asset& document, XmlNode rootCollada);
 
 }  // namespace walkcycle

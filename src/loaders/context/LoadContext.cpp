@@ -22,7 +22,7 @@ void LoadContext::advance(double work) const {
 
 PieceRead LoadContext::pieceRead() const {
     if (!progress) return {};
-    return [told = progress](std::size_t characters) { told->advance(static_cast<double>(characters)); };
+    return [to = progress](std::size_t characters) { to->advance(static_cast<double>(characters)); };
 }
 
 }  // namespace walkcycle

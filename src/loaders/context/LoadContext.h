@@ -15,22 +15,22 @@ namespace walkcycle {
 class Dialects;
 class LoadProgress;
 
-// What every loader of one load shares.
+// The objects that all loaders of one load share.
 struct LoadContext {
     const LoadOptions& options;
     Diagnostics& diagnostics;
     DocumentSet& documents;
     SourceReader& sources;
     Dialects& dialects;                // which quirks of exporters the documents are read with
-    LoadProgress* progress = nullptr;  // null: nobody is told
+    LoadProgress* progress = nullptr;  // null: progress is not reported
 
-    // Throws LoadError WC0801 where `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).
+    // Throws LoadError WC0801 if `amount` is over the limit, as in require(corners, &LoadLimits::maxVertices, p).
     void require(std::uint64_t amount, std::uint64_t LoadLimits::*limit, const XmlNode& where) const;
-    // Throws LoadError WC0802 where the caller wants no more.
+    // Throws LoadError WC0802 if the caller cancelled.
     void checkCancelled(const XmlNode& where) const;
-    // So much of the stage's work is done (see LoadProgress); also throws where the caller wants no more.
+    // Adds finished work of the current stage (see LoadProgress). Throws LoadError WC0802 if the caller cancelled.
     void advance(double work) const;
-    // The same for who reads numbers.
+    // advance() as a callback for parseNumbers().
     PieceRead pieceRead() const;
 };
 
