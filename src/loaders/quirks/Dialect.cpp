@@ -25,14 +25,14 @@ char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// In any case, since exporters changed the case of their own names.
+// Ignores case, since exporters have changed the case of their own names.
 std::size_t findWord(std::string_view text, std::string_view word) {
     const auto same = [](char a, char b) { return lowerCase(a) == lowerCase(b); };
     const auto found = std::search(text.begin(), text.end(), word.begin(), word.end(), same);
     return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
 }
 
-// "6.4.112", "v2.03b", "v3.04_FREE", "2011": a number at the beginning, and no word after it as in "3ds".
+// Parses "6.4.112", "v2.03b", "v3.04_FREE", "2011": a number, not followed by letters as in "3ds" (one letter is allowed).
 std::optional<ToolVersion> parseVersion(std::string_view word) {
     if (word.starts_with('v') || word.starts_with('V')) word.remove_prefix(1);
     const char* const end = word.data() + word.size();
@@ -48,7 +48,7 @@ std::optional<ToolVersion> parseVersion(std::string_view word) {
     return isWord ? std::nullopt : std::optional(version);
 }
 
-// The first version in what follows the tool's name, up to where another tool begins.
+// The first version in the text behind a tool's name, up to the '|' or ';' before the next tool.
 std::optional<ToolVersion> versionAfter(std::string_view text) {
     constexpr std::string_view kSpaces = " \t\r\n";
     text = text.substr(0, text.find_first_of("|;"));
@@ -61,7 +61,7 @@ std::optional<ToolVersion> versionAfter(std::string_view text) {
     }
 }
 
-// A contributor may say nothing about its tool.
+// The first <authoring_tool> that is not empty: a contributor may leave it out.
 std::string authoringToolOf(XmlNode collada) {
     for (XmlNode contributor : collada.child("asset").children("contributor"))
         if (std::string tool = contributor.child("authoring_tool").text(); !tool.empty()) return tool;

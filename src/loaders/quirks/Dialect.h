@@ -22,19 +22,21 @@ struct Exporter {
 };
 Exporter exporterOf(std::string_view authoringTool);
 
-// True if the exporter is that tool, in one of those versions. An exporter without a version is in no bounded range.
+// Whether the exporter is that tool, in one of those versions. Without a version it is in no range that has bounds.
 bool isIn(const Exporter& exporter, const ToolRange& range);
 
 // How one document's exporter writes COLLADA: which quirks the document is read with.
 class Dialect {
 public:
-    // What the options choose counts, and then the tool.
+    // LoadOptions::quirks and skinNode decide first; for all other quirks the tool decides.
     Dialect(std::string authoringTool, const LoadOptions& options);
 
     const std::string& authoringTool() const { return authoringTool_; }  // as the document writes it
     const Exporter& exporter() const { return exporter_; }
     bool follows(Quirk quirk) const { return stateOf(quirk).on; }
-    bool isUsed(Quirk quirk) const { return stateOf(quirk).used; }  // it changed how the document was read
+    bool isUsed(Quirk quirk) const {
+        return stateOf(quirk).used;
+    }                                    // the quirk changed how the document was read
     std::string why(Quirk quirk) const;  // "for ColladaMaya", "where the file shows it", "as chosen"
 
 private:
@@ -52,7 +54,7 @@ private:
 // The dialects of the documents of one load, each read once from the document's <asset>.
 class Dialects {
 public:
-    // Throws std::invalid_argument where the options name a quirk that does not exist.
+    // Throws std::invalid_argument if the options name a quirk that does not exist.
     Dialects(const LoadOptions& options, Diagnostics& diagnostics)
         : options_(options), diagnostics_(diagnostics) {
         requireKnownQuirks(options);
@@ -62,8 +64,8 @@ public:
     const Dialect& of(const XmlNode& element) { return entryOf(element); }
     bool follows(Quirk quirk, const XmlNode& element) { return of(element).follows(quirk); }
 
-    // To be called where a quirk changes how the file is read. Reports that once per document, unless the caller does
-    // with a code of its own (see QuirkInfo::code).
+    // To be called when a quirk changes how the file is read. Reports it once per document as WC0120, unless the quirk has
+    // another code (QuirkInfo::code), which the caller reports.
     void note(Quirk quirk, const XmlNode& where);
 
     // Throws std::invalid_argument as the constructor does.
@@ -74,7 +76,7 @@ private:
 
     const LoadOptions& options_;
     Diagnostics& diagnostics_;
-    std::unordered_map<XmlNode, Dialect> byDocument_;  // by its root
+    std::unordered_map<XmlNode, Dialect> byDocument_;  // by root element
 };
 
 // "there is no quirk 'spaced-name'; perhaps 'spaced-names' is meant", for a name that findQuirk() does not know.

@@ -6,8 +6,8 @@
 
 namespace walkcycle {
 
-// The <technique>s of an element's <extra>s: programs write there what the format has no words for. The name of the
-// profile differs between programs, the words inside hardly do, so every profile is read.
+// The <technique>s of an element's <extra>s, where programs write data that the format has no elements for. The profile's
+// name differs between programs, the elements inside hardly do, so all profiles are read.
 std::vector<XmlNode> extraTechniques(XmlNode owner);
 
 }  // namespace walkcycle

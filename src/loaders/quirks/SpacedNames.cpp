@@ -15,7 +15,7 @@ bool mayHoldNodes(XmlNode element) {
            element.is("node");
 }
 
-// All that nodes are called.
+// The sids, names and ids of all nodes.
 std::unordered_set<std::string> namesOfNodes(XmlNode collada) {
     std::unordered_set<std::string> names;
     const XmlNode::Descendants elements = collada.descendants();

@@ -17,10 +17,10 @@ void correctTransparency(XmlNode transparency, std::string_view effect, Dialects
                          Diagnostics& diagnostics, Material& material) {
     if (material.opaque != OpaqueMode::AOne) return;
     const float written = material.transparency;
-    const char* reason = "nothing would be seen of it otherwise";
+    const char* reason = "it would be invisible otherwise";
     if (dialects.follows(Quirk::InvertedTransparency, transparency)) {
         material.transparency = 1.0f - written;
-        reason = "this exporter writes it the other way round";
+        reason = "this exporter writes how transparent a material is";
         dialects.note(Quirk::InvertedTransparency, transparency);
     }
     if (material.transparency <= 0.0f && dialects.follows(Quirk::ZeroTransparency, transparency)) {

@@ -9,9 +9,9 @@
 
 namespace walkcycle {
 
-// COLLADA's <transparency> is, with A_ONE, how opaque a material is. Replaces material.transparency, as it was read
-// from the element `transparency` of an effect, where the quirks inverted-transparency and zero-transparency say that
-// the exporter means something else.
+// With A_ONE, COLLADA's <transparency> is a material's opacity. Some exporters mean something else: applies the quirks
+// inverted-transparency and zero-transparency to material.transparency, which was read from the element `transparency`
+// of the effect named `effect`, and reports the change.
 void correctTransparency(XmlNode transparency, std::string_view effect, Dialects& dialects,
                          Diagnostics& diagnostics, Material& material);
 
