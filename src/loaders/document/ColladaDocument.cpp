@@ -36,7 +36,7 @@ std::string toText(Bytes bytes, const std::string& file, Diagnostics& diagnostic
     }
 }
 
-// Zero bytes are gone by now.
+// The decoding has dropped zero bytes at the end.
 void reportControls(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
     if (const std::size_t control = findForbiddenControl(text); control != text.size())
         diagnostics.report(Code::ControlCharacter, file, lineAt(text, control), {});
@@ -49,7 +49,7 @@ void refuseCrowdedTags(std::string_view text, const std::string& file, Diagnosti
                      {"an element has more than " + std::to_string(kMostAttributes) + " attributes"});
 }
 
-// tinyxml2 would skip them in silence.
+// Fails if the document declares entities: tinyxml2 would skip the declarations without a word.
 void refuseEntities(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
     const std::size_t root = text.find("<COLLADA");
     const std::size_t doctype = text.substr(0, root).find("<!DOCTYPE");
@@ -101,7 +101,7 @@ ColladaDocument::ColladaDocument(Bytes bytes, std::string file, const LoadLimits
 
 ColladaDocument::~ColladaDocument() = default;
 
-// Nearly every document is UTF-8 already, and large: then no copy of it is made.
+// A document that is UTF-8 already, as nearly all are, is not copied.
 void ColladaDocument::decode(Bytes bytes, Diagnostics& diagnostics) {
     bool isPlain = false;
     const std::optional<std::string_view> text = asUtf8(bytes, &isPlain);
@@ -121,7 +121,7 @@ void ColladaDocument::decode(Bytes bytes, Diagnostics& diagnostics) {
     }
 }
 
-// Without its long number lists where that can be done, the plain way where there is any doubt.
+// Parses the document without its long number lists if they can be cut out, otherwise as a whole.
 void ColladaDocument::parse(Diagnostics& diagnostics) {
     if (std::optional<CutDocument> cut = cutNumberText(text_)) {
         xml_->Parse(cut->remaining.data(), cut->remaining.size());
@@ -137,12 +137,12 @@ void ColladaDocument::parse(Diagnostics& diagnostics) {
     if (xml_->Error())
         diagnostics.fail(Code::NotXml, tree_.file, std::max(1, xml_->ErrorLineNum()),
                          {describe(xml_->ErrorID())});
-    text_ = {};  // the DOM holds it all
+    text_ = {};  // tinyxml2's tree has copied the text
     rewritten_ = {};
     bytes_ = {};
 }
 
-// Hangs each cut-out text on its element. False where tinyxml2 saw other elements than the cutter did.
+// Attaches each cut-out text to its element. Returns false if tinyxml2 found other elements than the cutter.
 bool ColladaDocument::placeNumberText() {
     std::size_t next = 0;
     for (XmlNode node : XmlNode(xml_->RootElement(), &tree_).descendants()) {

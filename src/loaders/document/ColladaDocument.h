@@ -21,10 +21,10 @@ namespace walkcycle {
 
 class LoadProgress;
 
-// One parsed document: its elements by id.
+// One parsed document, with an index of its elements by id.
 class ColladaDocument {
 public:
-    // `progress`, where there is one, is told of the steps of the parsing.
+    // Throws LoadError if the document cannot be parsed. Reports to `progress`, if there is one, after each step.
     ColladaDocument(Bytes bytes, std::string file, const LoadLimits& limits, Diagnostics& diagnostics,
                     LoadProgress* progress = nullptr);
     ~ColladaDocument();
@@ -43,10 +43,10 @@ private:
     void indexElements(Diagnostics& diagnostics);
 
     XmlTree tree_;
-    Bytes bytes_;            // as read,
-    std::string rewritten_;  // or what was made of them, where they were not fit for use:
-    std::string_view text_;  // UTF-8; what the cut-out texts are views of
-    std::vector<std::optional<NumberText>> cutTexts_;  // hung on their elements as tinyxml2 user data
+    Bytes bytes_;            // as read; empty if they had to be decoded or changed
+    std::string rewritten_;  // then this is the text
+    std::string_view text_;  // UTF-8: a view of one of the two; the cut-out texts are views of it
+    std::vector<std::optional<NumberText>> cutTexts_;  // attached to their elements as user data
     std::unique_ptr<tinyxml2::XMLDocument> xml_;
     XmlNode root_;
 };

@@ -21,9 +21,9 @@ constexpr CodeInfo kCatalogue[] = {
 };
 #undef WC_STRING_
 
-// How many of one kind, about elements of one name, are kept before the rest is only counted.
+// How many messages of one code about elements of one name are kept; more of them are only counted.
 constexpr int kKeptPerKind = 3;
-// So many of one code, whatever the elements are called, are a picture of the whole.
+// How many messages of one code are kept in this way; after that, elements of all names are counted together.
 constexpr int kKeptPerCode = 12;
 
 std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
@@ -32,7 +32,7 @@ std::string fillIn(const char* text, Diagnostics::Arguments arguments) {
     });
 }
 
-// Takes all of `where` but the element's name.
+// Moves everything out of `where` except the element's name.
 Diagnostic make(Severity severity, Code code, FileLocation& where, int line,
                 Diagnostics::Arguments arguments) {
     const CodeInfo& entry = info(code);
@@ -82,7 +82,7 @@ void Diagnostics::report(Code code, const std::string& file, int line, Arguments
 }
 
 void Diagnostics::fail(Code code, FileLocation where, Arguments arguments, int line) {
-    all_.push_back(make(Severity::Error, code, where, line, arguments));  // never only counted
+    all_.push_back(make(Severity::Error, code, where, line, arguments));  // kept in any case
     throw LoadError(all_);
 }
 

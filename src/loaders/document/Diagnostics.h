@@ -18,13 +18,14 @@
 
 namespace walkcycle {
 
-// What is wrong, by name. The texts are in DiagnosticCodes.inc, the catalogue.
+// All faults, by name. DiagnosticCodes.inc is the catalogue of their texts.
 enum class Code {
 #define WC_CODE(number, name, severity, text, cause, ...) name,
 #include "loaders/document/DiagnosticCodes.inc"
 #undef WC_CODE
 };
 
+// A row of the catalogue.
 struct CodeInfo {
     Code code;
     const char* id;    // "WC0207"
@@ -33,7 +34,7 @@ struct CodeInfo {
     const char* text;  // with placeholders, as is `cure`: see MessageTemplate.h
     const char* cause;
     const char* cure;
-    // Where to click for it; empty where no author can do it there.
+    // Menus to click for the cure in a modelling program; empty if it cannot be done there.
     const char* inBlender = "";
     const char* inMaya = "";
     const char* in3dsMax = "";
@@ -42,24 +43,24 @@ struct CodeInfo {
 std::span<const CodeInfo> diagnosticCatalogue();
 const CodeInfo& info(Code code);
 
-// A loader that meets one fault again and again finds the exact line of the first few only: that takes a walk through
-// the text, and the rest is but counted.
+// How many faults of one kind a loader looks up the exact line for, which takes a walk through the text. Later ones are
+// only counted anyway.
 inline constexpr int kMostLinesLookedFor = 3;
 
-// Collects what is said about one load. A kind of message is kept a few times per element name and after that only counted.
+// Collects the messages of one load. A few of each code and element name are kept; more of them are only counted.
 class Diagnostics {
 public:
     using Arguments = std::initializer_list<std::string>;
 
-    // After so many messages, all elements count as being of one name.
+    // After `mostMessages` kept messages, elements of all names are counted together.
     explicit Diagnostics(std::uint64_t mostMessages = LoadLimits{}.maxMessages)
         : mostMessages_(mostMessages) {}
 
-    // `where` is the element that the message is about; `line` overrides the element's own where it is known better.
+    // `where` is the element that the message is about; `line`, if not 0, replaces the element's line. The last form is for
+    // a message that is not about an element.
     void report(Code code, FileLocation where, Arguments arguments, int line = 0);
     void report(Severity severity, Code code, FileLocation where, Arguments arguments, int line = 0);
-    void report(Code code, const std::string& file, int line,
-                Arguments arguments);  // where there is no element
+    void report(Code code, const std::string& file, int line, Arguments arguments);
 
     // Reports, then throws LoadError.
     [[noreturn]] void fail(Code code, FileLocation where, Arguments arguments, int line = 0);
@@ -73,9 +74,9 @@ private:
 
     std::uint64_t mostMessages_;
     std::vector<Diagnostic> all_;
-    std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>>
-        seen_;                                                       // file, code, element
-    std::map<std::pair<std::string, std::string>, int> keptOfCode_;  // file, code
+    // How often a message was reported, and where in all_ the last kept one is: by file, code and element name.
+    std::map<std::tuple<std::string, std::string, std::string>, std::pair<int, std::size_t>> seen_;
+    std::map<std::pair<std::string, std::string>, int> keptOfCode_;  // by file and code
 };
 
 }  // namespace walkcycle

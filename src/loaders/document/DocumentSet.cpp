@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 struct DocumentSet::Impl {
     const LoadOptions& options;
     Diagnostics& diagnostics;
-    LoadProgress* progress;  // null: nobody is told
+    LoadProgress* progress;  // null: progress is not reported
     Surroundings surroundings;
-    std::unordered_map<std::string, std::shared_ptr<ColladaDocument>>
-        documents;  // by path; null: cannot be opened
+    // By path; null if it cannot be opened.
+    std::unordered_map<std::string, std::shared_ptr<ColladaDocument>> documents;
 
     const ColladaDocument& add(Bytes bytes, const std::string& file, LoadProgress* parsing = nullptr) {
         auto document =
@@ -62,7 +62,7 @@ struct DocumentSet::Impl {
         return document ? document->root() : XmlNode();
     }
 
-    // The root of the document in a file whose name differs from that of `path` in case alone; it may be open already.
+    // The root of the document whose file name differs from that of `path` only in case; it may be open already.
     XmlNode inAnyCase(const XmlNode& from, const fs::path& path) {
         const std::string name =
             inAnotherCase(surroundings.list(path.parent_path()), path.filename().string());
@@ -75,8 +75,8 @@ struct DocumentSet::Impl {
         return rootOf(documents[path.string()] = documents[actual.string()]);
     }
 
-    // The root of the other document at `path` (relative to that of `from`), opened once; nothing, reported once, where it
-    // cannot be opened.
+    // The root of the other document at `path`, relative to that of `from`. The document is opened once; if that fails, it
+    // is reported once, and nothing is returned.
     XmlNode other(const XmlNode& from, const std::string& path, Severity unopened) {
         const fs::path ownFile(from.file());
         if (fs::path(path) == ownFile.filename()) return from.root();  // a document that names itself
@@ -94,8 +94,8 @@ struct DocumentSet::Impl {
             if (std::optional<Bytes> bytes = surroundings.read(from, path))
                 return addOther(std::move(*bytes), path).root();
             if (const XmlNode root = inAnyCase(from, path)) return root;
-        } catch (
-            const LoadError& error) {  // what is wrong in it has been reported with its own file and line
+        } catch (const LoadError& error) {
+            // The fault itself has been reported with its own file and line.
             if (error.cancelled()) throw;
             reason = error.reason().message;
         } catch (const FileTooLarge& error) {
@@ -137,12 +137,11 @@ const ColladaDocument& DocumentSet::openMemory(std::span<const std::uint8_t> byt
 
 XmlNode DocumentSet::resolve(const XmlNode& from, std::string_view uri, Severity unopened) {
     if (!from || uri.empty()) return {};
-    if (uri.front() == '#') {  // nearly all of them; the id is tried as it stands first
+    if (uri.front() == '#') {  // as nearly all; the id is tried undecoded first
         const XmlNode here = from.elementById(uri.substr(1));
         return here ? here : from.elementById(percentDecode(uri.substr(1)));
     }
-    if (uri.find('#') == std::string_view::npos)
-        return from.elementById(uri);  // "id" for "#id", as a courtesy
+    if (uri.find('#') == std::string_view::npos) return from.elementById(uri);  // "id" is accepted for "#id"
     const Uri parts = parseUri(uri);
     if (!parts.scheme.empty() && parts.scheme != "file") return {};
     if (parts.path.empty()) return from.elementById(parts.fragment);  // " #id"

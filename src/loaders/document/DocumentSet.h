@@ -20,40 +20,41 @@ namespace walkcycle {
 
 class LoadProgress;
 
-// The document that was asked for and the others that it refers to, each loaded once.
+// The document of a load (the root document) and the others that it refers to, each loaded once.
 class DocumentSet {
 public:
-    // `progress`, if not null, is told of each document that is parsed.
+    // Reports to `progress`, if not null, as documents are parsed.
     DocumentSet(const LoadOptions& options, Diagnostics& diagnostics, LoadProgress* progress = nullptr);
     ~DocumentSet();
 
+    // Opens the root document. Throws LoadError if that is not possible.
     const ColladaDocument& openFile(const std::string& path);
     const ColladaDocument& openMemory(std::span<const std::uint8_t> bytes, const std::string& name);
 
-    // The element that a URI ("#id", "file.dae#id", "id" alone as a courtesy) in `from` leads to; nothing (not
-    // reported) where it leads nowhere. A document that cannot be opened is reported, as what it is for this reference.
+    // The element that a URI in `from` refers to ("#id", "file.dae#id"; "id" alone is accepted for "#id"). If there is no
+    // such element, returns nothing, and reports nothing. A document that cannot be opened is reported as `unopened`.
     XmlNode resolve(const XmlNode& from, std::string_view uri, Severity unopened = Severity::Error);
 
-    // The same for a reference that must be there: reports WC0201 / WC0207 and gives nothing where it does not lead to
-    // an element of that name (empty: any). `attribute` names where the URI stands ("url", "source"); the element's
-    // text for "".
+    // The same for a reference that must lead to an element of that name (empty: of any name). Otherwise reports WC0201,
+    // WC0202 or WC0207 and returns nothing. `attribute` is the one that holds the URI ("url", "source"); "" means the
+    // element's text.
     XmlNode follow(const XmlNode& from, const char* attribute, std::string_view elementName,
                    Severity severity = Severity::Error);
 
-    // Reads a file beside the document (a picture): archive member, resolver or disk. Empty optional: not there.
-    // `path` is as the URI gave it, decoded, relative to the document's folder or absolute. foundPath names what was read.
-    // Where `most` bytes of its start are enough, it may be no more than those.
+    // Reads a file beside the document (a picture) from the archive, the resolver or the disk. Returns nothing if it is not
+    // there. `path` is the decoded path of the URI, relative to the document's folder or absolute. `foundPath` becomes the
+    // path of the file that was read. If `most` is given, the result may end after that many bytes.
     std::optional<Bytes> readBeside(const XmlNode& from, const std::string& path, std::string& foundPath,
                                     std::size_t most = SIZE_MAX);
-    // Reads a file that the caller of the load names: from the resolver, if there is one (nothing: it has none), or from
-    // disk. Throws FileError.
+    // Reads a file that the caller of the load has named: from the resolver if there is one (returns nothing if it has no
+    // such file), or else from disk. Throws FileError.
     std::optional<Bytes> readAsGiven(const std::string& path);
-    // False where such a folder is certainly not there.
+    // Returns false if there is certainly no such folder.
     bool mayHaveBeside(const XmlNode& from, const std::string& folder) const;
-    // Where a relative path leads on disk, spelt as readBeside() does; empty where that is not a file that may be read, or
-    // not on disk. Says nothing.
+    // The path of a file on disk, as readBeside() returns it in `foundPath`; empty if there is no such file on disk or it may
+    // not be read. Reports nothing.
     std::string plainFileBeside(const XmlNode& from, const std::string& path) const;
-    // Names of the files (not folders) in a folder relative to the document's; for looking for a picture.
+    // Names of the files (not folders) in a folder, relative to the document's; for the search for a picture.
     std::vector<std::string> listBeside(const XmlNode& from, const std::string& folder);
 
 private:

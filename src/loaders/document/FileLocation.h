@@ -4,11 +4,11 @@
 
 namespace walkcycle {
 
-// Where in a file something stands, for messages: "model.dae:653, COLLADA/library_geometries/geometry[id=body]".
+// A place in a file, for messages: "model.dae:653, COLLADA/library_geometries/geometry[id=body]".
 struct FileLocation {
     std::string file;
     int line = 0;             // 0: the file as a whole
-    std::string elementPath;  // empty where there is no element
+    std::string elementPath;  // empty if there is no element
     std::string elementName;  // messages about elements of one name are counted together
 };
 

@@ -20,13 +20,13 @@ struct Row {
     const char* children;  // "!" after a name: at most one
 };
 
-// All that a shader may have, since exporters write, and EffectReader reads, it in each of them.
+// The children of all shading models together: exporters write them in any model, and EffectReader reads them in any.
 constexpr const char* kShaderChildren =
     "emission! ambient! diffuse! specular! shininess! reflective! reflectivity! transparent! transparency! "
     "index_of_refraction! extra";
 
-// What may stand in the elements that are read, by COLLADA 1.4.1 and 1.5.0 together. (<extra> also where exporters put
-// it against the schema: it is theirs to use.)
+// The children that COLLADA 1.4.1 and 1.5.0 allow in the elements that are read. (<extra> is also allowed where the schema
+// forbids it, since exporters put it there.)
 constexpr Row kRows[] = {
     {"COLLADA",
      "asset! scene! extra library_animations library_animation_clips library_articulated_systems "
@@ -150,7 +150,7 @@ constexpr Row kRows[] = {
     {"image", "asset data! init_from! renderable create_2d create_3d create_cube extra"},
 };
 
-constexpr int kMostExplained = 1000;
+constexpr int kMostExplained = 1000;  // unknown elements; more are only counted
 
 struct Known {
     std::string_view name;
@@ -158,17 +158,18 @@ struct Known {
 };
 using Children = std::vector<Known>;
 
-// Made once: by the element's name, and where that says too little, by its parent's as well.
+// The children by their parent's name. A name that is used for several elements has its own parent's in front.
 const std::unordered_map<std::string_view, Children>& schema() {
     static const auto made = [] {
-        std::unordered_map<std::string_view, Children> rules;
+        std::unordered_map<std::string_view, Children> childrenByElement;
         for (const Row& row : kRows)
-            for (Children& children = rules[row.element]; std::string_view word : splitWords(row.children)) {
+            for (Children& children = childrenByElement[row.element];
+                 std::string_view word : splitWords(row.children)) {
                 const bool once = word.ends_with('!');
                 if (once) word.remove_suffix(1);
                 children.push_back({word, once});
             }
-        return rules;
+        return childrenByElement;
     }();
     return made;
 }
@@ -184,13 +185,13 @@ const Children* childrenOf(XmlNode element) {
 }
 
 bool isKnownElsewhere(std::string_view name) {
-    return std::any_of(schema().begin(), schema().end(), [&](const auto& rule) {
-        return std::any_of(rule.second.begin(), rule.second.end(),
+    return std::any_of(schema().begin(), schema().end(), [&](const auto& entry) {
+        return std::any_of(entry.second.begin(), entry.second.end(),
                            [&](const Known& known) { return known.name == name; });
     });
 }
 
-// "c:" of <c:COLLADA xmlns:c="...">.
+// The namespace prefix of an element's name: "c:" in <c:COLLADA xmlns:c="...">.
 std::string_view prefixOf(XmlNode element) {
     const std::string_view qualified = element.element()->Name();
     return qualified.substr(0, qualified.size() - element.name().size());
@@ -215,10 +216,10 @@ private:
     struct Level {
         XmlNode parent;
         const Children* children = nullptr;
-        std::uint64_t seen = 0;  // a bit per child that may stand once
+        std::uint64_t seen = 0;  // a bit for each child that is allowed once
     };
 
-    // False where anything may stand in the element, or nothing does.
+    // Returns false if the element may have any children, or has none.
     bool enter(XmlNode element) {
         const Children* children = element.firstChild() ? childrenOf(element) : nullptr;
         if (children) levels_.push_back({element, children});
@@ -244,8 +245,8 @@ private:
         return isFirst;
     }
 
-    // A slip of the pen, or an element in a wrong place, takes something away; a name that the format does not know at all
-    // is mostly an exporter's own addition.
+    // A warning if the element is misspelt or in a wrong place, since its content is lost. An info if the format does not
+    // have the name at all: then it is mostly an exporter's own addition.
     void reportUnknown(XmlNode child, const Level& level) {
         if (++unknown_ > kMostExplained)
             return diagnostics_.report(Code::ElementUnknown, child, {});  // only counted
@@ -260,7 +261,7 @@ private:
 
     std::string_view prefix_;
     Diagnostics& diagnostics_;
-    std::vector<Level> levels_;  // the elements around the one that is looked at
+    std::vector<Level> levels_;  // the ancestors of the current element
     int unknown_ = 0;
 };
 

@@ -12,7 +12,7 @@
 
 namespace walkcycle {
 
-// Throw LoadError WC0801 where `amount` is over the limit: at an element, or where there is none yet.
+// Throw LoadError WC0801 if `amount` is over the limit: at an element, or at a line of a file that is not parsed yet.
 void requireWithin(const LoadLimits& limits, std::uint64_t LoadLimits::*limit, std::uint64_t amount,
                    const XmlNode& where, Diagnostics& diagnostics);
 void requireWithin(const LoadLimits& limits, std::uint64_t LoadLimits::*limit, std::uint64_t amount,
@@ -24,20 +24,21 @@ struct LimitWords {
     std::string amount, unit, name, value;
 };
 
-// "1025 bytes of a file are over the limit file-bytes=1024", for what goes on without the file.
+// "1025 bytes of a file are over the limit file-bytes=1024", for a load that goes on without the file.
 std::string limitText(std::uint64_t amount, const LoadLimits& limits, std::uint64_t LoadLimits::*limit);
 
+// Those of the limits that io applies to archives.
 ArchiveLimits archiveLimits(const LoadLimits& limits);
 
-// The same limits as io names them in what it throws.
+// The limit that an exception of io is about.
 std::uint64_t LoadLimits::*limitOf(const ArchiveTooLarge& error);
 std::uint64_t LoadLimits::*limitOf(const ImageTooLarge& error);
 
-// Before a document is parsed: how many elements (comments and the like count as well) its text has.
+// Before a document is parsed: limits the number of elements in its text. Comments and other markup count, too.
 void requireFewElements(std::string_view text, const std::string& file, const LoadLimits& limits,
                         Diagnostics& diagnostics);
 
-// After that: how deep they are nested, and how many words the text of each holds.
+// After that: limits how deep the elements are nested, and how many words the text of each holds.
 void requireModestElements(XmlNode root, std::size_t documentBytes, const LoadLimits& limits,
                            Diagnostics& diagnostics);
 

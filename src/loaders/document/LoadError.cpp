@@ -5,7 +5,7 @@
 
 namespace walkcycle {
 
-// Code::Cancelled of the catalogue, which stands above this file.
+// The id of Code::Cancelled. (Diagnostics.h includes LoadError.h, so this file does not include it.)
 constexpr std::string_view kCancelledCode = "WC0802";
 
 LoadError::LoadError(std::vector<Diagnostic> all)

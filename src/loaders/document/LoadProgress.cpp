@@ -8,11 +8,11 @@
 namespace walkcycle {
 namespace {
 
-// What reading and parsing takes of the whole, for documents that are mostly numbers.
+// The share of reading and parsing in a load, for a document that is mostly numbers.
 constexpr double kDocumentShare = 0.2;
-// Smaller steps are not told.
+// Smaller steps are not reported.
 constexpr double kLeastStep = 1.0 / 128.0;
-// So that a stage is one also where there are no numbers.
+// The work of each stage besides numbers.
 constexpr double kPerStage = 1000.0;
 
 std::size_t at(LoadProgress::Stage stage) {
@@ -29,7 +29,7 @@ XmlNode nextInside(XmlNode root, XmlNode node) {
     return {};
 }
 
-// The bytes of the number lists of a library. Corners are read, and then made to vertices.
+// The bytes of the number lists of a library. <p> counts twice: its corners are read, and then made into vertices.
 double bytesOf(XmlNode library) {
     double bytes = 0.0;
     std::string joined;
@@ -103,10 +103,10 @@ void LoadProgress::begin(Stage stage, double work) {
     stage_ = stage;
     stageWork_ = work;
     done_ = waiting_ = 0.0;
-    tell();
+    reportStage();
 }
 
-void LoadProgress::tell() {
+void LoadProgress::reportStage() {
     done_ += waiting_;
     waiting_ = 0.0;
     report(before_ + share_ * std::min(1.0, done_ / std::max(stageWork_, 1.0)));
@@ -114,8 +114,8 @@ void LoadProgress::tell() {
 }
 
 void LoadProgress::report(double share) {
-    if (!options_.progress || share < told_ + kLeastStep || share >= 1.0) return;
-    told_ = share;
+    if (!options_.progress || share < reported_ + kLeastStep || share >= 1.0) return;
+    reported_ = share;
     options_.progress(share);
 }
 

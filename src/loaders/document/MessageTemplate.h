@@ -6,8 +6,8 @@
 
 namespace walkcycle {
 
-// The texts of the catalogue (DiagnosticCodes.inc) have placeholders such as {0:ELEMENT}: the number of an argument, and
-// the word that stands for it where there is no message yet. Replaces each placeholder by replacement(number, word).
+// The texts of the catalogue (DiagnosticCodes.inc) have placeholders such as {0:ELEMENT}: the number of an argument, and a
+// word that `explain` shows in its place. Replaces each placeholder by replacement(number, word).
 template <typename Replacement>
 std::string replacePlaceholders(std::string_view text, Replacement replacement) {
     std::string filled;

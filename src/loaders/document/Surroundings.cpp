@@ -32,7 +32,7 @@ std::vector<std::string> namesIn(const Archive& archive, const fs::path& folder)
     return names;
 }
 
-// Not the iterator of std::filesystem: GCC 12's ends the program where memory runs out.
+// Not by std::filesystem::directory_iterator: that of GCC 12 ends the program if memory runs out.
 std::vector<std::string> namesIn(const fs::path& folder) {
     const std::unique_ptr<DIR, int (*)(DIR*)> directory(::opendir(folder.c_str()), ::closedir);
     if (!directory && errno == ENOMEM) throw std::bad_alloc();
@@ -80,7 +80,7 @@ bool Surroundings::mayOpen(const fs::path& path) const {
         [&](const std::string& allowed) { return isInside(meant, trueLocation(fs::path(allowed), error)); });
 }
 
-// The answers are kept: two textures may name one picture by different URIs, and a search tries some paths twice.
+// Caches the answers: two textures may name one picture by different URIs, and a search tries some paths twice.
 std::optional<Bytes> Surroundings::resolved(const std::string& path) const {
     auto known = resolved_.find(path);
     if (known == resolved_.end()) known = resolved_.emplace(path, options_.resolver(path)).first;
@@ -122,7 +122,7 @@ const std::vector<std::string>& Surroundings::list(const fs::path& folder) {
     } else if (!options_.resolver && mayOpen(folder)) {
         names = namesIn(folder);
     }
-    std::sort(names.begin(), names.end());  // the order of a folder is not the same on every machine
+    std::sort(names.begin(), names.end());  // file systems list a folder in different orders
     return names;
 }
 

@@ -16,8 +16,8 @@
 
 namespace walkcycle {
 
-// The files around a document: the members of its archive, what the caller's resolver gives, or its folder on disk.
-// Nothing outside the document's folder tree is opened unless LoadOptions::allowedPaths has it.
+// The files around a document: those of its archive, those that the caller's resolver returns, or those on disk. On disk,
+// only files in the document's folder, in folders below it and in LoadOptions::allowedPaths are opened.
 class Surroundings {
 public:
     Surroundings(const LoadOptions& options, Diagnostics& diagnostics)
@@ -26,16 +26,15 @@ public:
     void useFolder(const std::filesystem::path& folder);
     void useArchive(Archive archive) { archive_.emplace(std::move(archive)); }
 
-    // The bytes of a regular file; nothing where there is none or it may not be opened (reported at `from`).
-    // Throws FileError or ArchiveError where it is there and cannot be read.
-    // Of a file on disk no more than `most` bytes.
+    // The bytes of a regular file, of a file on disk at most the first `most`. Returns nothing if there is no such file, or if
+    // it may not be opened (reported at `from`). Throws FileError or ArchiveError if the file exists and cannot be read.
     std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path,
                               std::size_t most = SIZE_MAX) const;
-    // What the caller's resolver has at a path; it is asked once. Nothing where it has none. There must be a resolver.
+    // The file that the caller's resolver has at a path; nothing if it has none. Asks it once per path. There must be one.
     std::optional<Bytes> resolved(const std::string& path) const;
-    // Whether that is a file on disk which read() would open.
+    // Whether there is such a file on disk and read() would open it.
     bool isPlainFile(const std::filesystem::path& path) const;
-    // False where a folder is certainly not there, so that nothing need be looked for inside.
+    // Returns false if there is certainly no such folder, so that a search can skip it.
     bool mayHave(const std::filesystem::path& folder) const;
     // Names of the files in a folder, sorted. A folder is read once.
     const std::vector<std::string>& list(const std::filesystem::path& folder);
@@ -48,10 +47,10 @@ private:
     Diagnostics& diagnostics_;
     std::optional<Archive> archive_;
     std::unordered_map<std::string, std::vector<std::string>> listed_;
-    mutable std::unordered_map<std::string, ResolvedFile> resolved_;  // what the resolver said, by path
-    mutable std::unordered_map<std::string, std::filesystem::path> folders_;  // where they truly are
-    std::optional<std::filesystem::path>
-        root_;  // canonical; none: a document in memory, with no files around it
+    mutable std::unordered_map<std::string, ResolvedFile> resolved_;  // answers of the resolver, by path
+    mutable std::unordered_map<std::string, std::filesystem::path> folders_;  // resolved, by path
+    // The document's folder, resolved; none for a document in memory, which has no files on disk around it.
+    std::optional<std::filesystem::path> root_;
 };
 
 }  // namespace walkcycle

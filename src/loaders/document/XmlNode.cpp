@@ -22,7 +22,7 @@ int lineBreaks(std::string_view text) {
     return static_cast<int>(countLineBreaks(text));
 }
 
-// "geometry[id=body]", or "node[sid=hip]", or the plain name.
+// A step of path(): "geometry[id=body]", "node[sid=hip]", or the plain name.
 std::string step(const XmlNode& node) {
     std::string text(node.name());
     if (!node.id().empty()) return text + "[id=" + printable(node.id()) + "]";
@@ -34,9 +34,9 @@ bool isPlainText(const tinyxml2::XMLNode* node) {
     return node->ToText() && !node->ToText()->CData();
 }
 
-// Calls for each piece of an element's text, and says whether it stands apart from the piece before. Comments, CDATA
-// and processing instructions do not end a word, elements do; between two that are no plain text, white space may have
-// stood that tinyxml2 does not keep.
+// Calls use(piece, apart) for each piece of an element's text. `apart` says that the piece begins a new word: comments, CDATA
+// and processing instructions do not end a word, but elements do. So do two neighbours that are not plain text, since
+// tinyxml2 drops white space between them.
 template <typename Use>
 void forEachPiece(const tinyxml2::XMLElement* element, Use use) {
     bool apart = false;
@@ -49,7 +49,7 @@ void forEachPiece(const tinyxml2::XMLElement* element, Use use) {
     }
 }
 
-// The text that was cut out of the document before it was parsed; see NumberText.h.
+// The element's text, if it was cut out of the document before parsing (see NumberText.h); otherwise null.
 const NumberText* cutText(const tinyxml2::XMLElement* element) {
     return element ? static_cast<const NumberText*>(element->GetUserData()) : nullptr;
 }
@@ -118,7 +118,7 @@ XmlNode::Descendants XmlNode::descendants() const {
     return Descendants(firstChild());
 }
 
-// By tinyxml2's own pointers: several walks go over every element of a document.
+// Uses tinyxml2's pointers, for speed: several walks visit every element of a document.
 XmlNode::Descendants::Iterator& XmlNode::Descendants::Iterator::operator++() {
     const tinyxml2::XMLElement* next = entersChildren_ ? node_.element_->FirstChildElement() : nullptr;
     if (next) ++depth_;
@@ -148,7 +148,7 @@ std::string_view XmlNode::rawText(std::string& joined) const {
     return pieces == 1 ? std::string_view(only->Value()) : std::string_view(joined);
 }
 
-// tinyxml2 says in which line a text's first character stands that is not white space.
+// tinyxml2 gives the line of a text's first character that is not white space.
 int XmlNode::textLine(std::size_t offset) const {
     if (const NumberText* cut = cutText(element_))
         return line() + cut->linesInTag + lineBreaks(cut->text.substr(0, offset));

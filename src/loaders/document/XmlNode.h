@@ -12,8 +12,8 @@
 
 namespace walkcycle {
 
-// An element of the document, or nothing: a missing child is an XmlNode that is false, and asking it for more gives
-// more nothing, so that a path of optional children needs no checks on the way.
+// An element of the document, or nothing: a missing child is an XmlNode that converts to false. Its children are missing,
+// too, and its attributes empty, so that a path of optional children needs no checks on the way.
 // (The series' XmlNode, on tinyxml2. It is two pointers: copy it freely; the document must outlive it.)
 class XmlNode {
 public:
@@ -26,7 +26,7 @@ public:
     std::string_view name() const;  // without a namespace prefix
     bool is(std::string_view elementName) const;
     bool has(const char* attributeName) const;
-    std::string_view attribute(const char* attributeName) const;  // empty where it is missing
+    std::string_view attribute(const char* attributeName) const;  // empty if it is missing
     std::string_view id() const { return attribute("id"); }
     std::string_view sid() const { return attribute("sid"); }
 
@@ -43,27 +43,27 @@ public:
     Range children(std::string_view elementName = {}) const;
 
     // for (XmlNode element : collada.descendants()): every element below this one, in document order, each before its own
-    // children. Nothing recurses: how deep a tree is, is the file's choice.
+    // children. Does not recurse, since a file may nest its elements deeply.
     class Descendants;
     Descendants descendants() const;
 
-    // The element's text without white space at its ends. A comment within it is as if it were not there.
+    // The element's text without white space at its ends. Comments within it are left out.
     std::string text() const;
-    // The same without a copy where the text is in one piece; otherwise joined into `joined`. Not trimmed.
+    // The same untrimmed. Not copied if the text is in one piece; otherwise `joined` holds it.
     std::string_view rawText(std::string& joined) const;
-    int textLine(
-        std::size_t offset = 0) const;  // of a character of rawText; the element's line if it has no text
-
-    // Of the n-th word of the text; the element's line if it has not so many.
+    // The line of a character of rawText(); the element's line if it has no text.
+    int textLine(std::size_t offset = 0) const;
+    // The line of word n of the text, counted from 0; the element's line if there is no such word.
     int lineOfWord(std::size_t n) const;
-    std::vector<std::pair<std::string_view, std::string_view>> attributes()
-        const;  // names and values, in order
+
+    // Names and values, in order.
+    std::vector<std::pair<std::string_view, std::string_view>> attributes() const;
 
     int line() const;
-    int commentLine() const;   // of the first comment beside the element's children; 0: there is none
+    int commentLine() const;   // of the first comment among the element's children; 0 if there is none
     std::string path() const;  // "COLLADA/library_geometries/geometry[id=body]/mesh"
     const std::string& file() const;
-    operator FileLocation() const;  // NOLINT: messages say where an element stands
+    operator FileLocation() const;  // NOLINT: so that an element can be passed as a message's place
     const tinyxml2::XMLElement* element() const { return element_; }
 
 private:
@@ -111,7 +111,7 @@ public:
         bool operator!=(const Iterator& other) const { return !(node_ == other.node_); }
 
         int depth() const { return depth_; }              // 1 for children, 2 for their children
-        void skipChildren() { entersChildren_ = false; }  // of the element that the iterator stands at
+        void skipChildren() { entersChildren_ = false; }  // of the current element
 
     private:
         XmlNode node_;

@@ -10,7 +10,7 @@ class XMLElement;
 
 namespace walkcycle {
 
-// What all elements of one parsed document share.
+// The data that all elements of one parsed document share.
 struct XmlTree {
     std::string file;
     bool hasPrefixes = true;  // false: no element's name has a namespace prefix
