@@ -63,10 +63,10 @@ void copy(benchmark::State& state) {
 void skin(benchmark::State& state, SkinningWay way) {
     const Mesh mesh;
     std::vector<glm::vec3> positions(kVertices), normals(kVertices);
-    std::vector<NormalTurn> turns;
+    std::vector<NormalMatrix> normalMatrices;
     for (auto _ : state) {
-        skinPositions(mesh.influences, mesh.palette, mesh.positions, positions, &turns, way);
-        turnNormals(turns, mesh.vertexPositions, mesh.normals, normals, way);
+        skinPositions(mesh.influences, mesh.palette, mesh.positions, positions, &normalMatrices, way);
+        transformNormals(normalMatrices, mesh.vertexPositions, mesh.normals, normals, way);
         benchmark::DoNotOptimize(normals.data());
         benchmark::ClobberMemory();
     }

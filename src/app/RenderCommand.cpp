@@ -110,7 +110,7 @@ public:
 
     Image take(const Shot& shot) {
         model_.sampleAt(shot.documentSeconds);
-        const Camera camera = options_.camera.camera(model_, picture_.aspect(), shot.turn);
+        const Camera camera = options_.camera.camera(model_, picture_.aspect(), shot.orbitRadians);
         const int passes = (options_.samples + picture_.samples() - 1) / picture_.samples();
         Image image = passes > 1 ? average(camera, passes) : draw(camera);
         if (look_.background != Background::None) image.hasAlpha = false;

@@ -74,7 +74,7 @@ std::vector<Shot> ShotList::shots(const Animation* clip, const std::string& want
     for (std::size_t i = 0; i < count; ++i) {
         Shot shot{.documentSeconds = documentTime(all[std::min(i, all.size() - 1)], clip, wantedClip)};
         if (turntable_ > 0)
-            shot.turn = glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(turntable_);
+            shot.orbitRadians = glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(turntable_);
         shots.push_back(shot);
     }
     return shots;

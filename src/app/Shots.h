@@ -12,7 +12,7 @@ namespace walkcycle {
 // One picture to take: when, and how far round the model the camera stands.
 struct Shot {
     double documentSeconds = 0.0;
-    float turn = 0.0f;  // radians
+    float orbitRadians = 0.0f;  // how far the camera has moved around the model
 };
 
 // The options of `render` that say which pictures there are.

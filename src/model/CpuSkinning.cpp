@@ -96,7 +96,7 @@ struct CpuSkinning::Impl {
     // Kept between calls, so that a frame allocates nothing.
     std::vector<glm::mat4> palette;
     std::vector<float> coefficients;
-    std::vector<NormalTurn> turns;
+    std::vector<NormalMatrix> normalMatrices;
     std::vector<glm::vec3> positions;
     std::vector<bool> mirrored;  // per position: its skins turn inside out
     SmoothNormals smoothNormals;
@@ -129,10 +129,11 @@ void CpuSkinning::Impl::skin(Work& work, const Deformer& deformer) {
     const Influences& influences = work.model.influences[index(deformer.influences)];
     assert(influences.first.size() == work.positions.size() + 1);
     skinPositions(influences, palette, work.positions, work.positions,
-                  work.normals || work.made ? &turns : nullptr);
-    if (work.normals) turnNormals(turns, work.mesh.vertexPositions, *work.normals, *work.normals);
-    for (std::size_t p = 0; work.made && p < turns.size(); ++p)
-        if (turns[p].isMirror()) mirrored[p] = !mirrored[p];
+                  work.normals || work.made ? &normalMatrices : nullptr);
+    if (work.normals)
+        transformNormals(normalMatrices, work.mesh.vertexPositions, *work.normals, *work.normals);
+    for (std::size_t p = 0; work.made && p < normalMatrices.size(); ++p)
+        if (normalMatrices[p].isMirror()) mirrored[p] = !mirrored[p];
     work.inModelSpace = true;
     work.wasSkinned = true;
 }

@@ -59,7 +59,7 @@ WALKCYCLE_INLINE Float4 negated(Float4 v, Bits sign) {
 
 // A mirroring matrix has a negative determinant. It flips faces, so the normals are negated to point outside
 // again.
-WALKCYCLE_INLINE NormalTurn normalTurnOf(Float4 x, Float4 y, Float4 z) {
+WALKCYCLE_INLINE NormalMatrix normalMatrixOf(Float4 x, Float4 y, Float4 z) {
     const Float4 xy = crossZxy(x, y);
     const Bits sign = signOfSum(xy * zxy(z));
     return {negated(crossZxy(y, z), sign), negated(crossZxy(z, x), sign), negated(xy, sign)};
@@ -85,10 +85,10 @@ struct Points {
     const glm::mat4* palette;
     std::span<const glm::vec3> from;
     glm::vec3* to;
-    NormalTurn* turns;
+    NormalMatrix* normalMatrices;
 };
 
-template <bool kTurns>
+template <bool kWithNormals>
 void skinAll(const Points& points) {
     const Influence* all = points.influences.influences.data();
     const std::uint32_t* first = points.influences.first.data();
@@ -96,22 +96,22 @@ void skinAll(const Points& points) {
         const Columns m = blend(all + first[p], all + first[p + 1], points.palette);
         const glm::vec3 at = points.from[p];
         store(points.to[p], m.x * splat(at.x) + (m.y * splat(at.y) + (m.z * splat(at.z) + m.w)));
-        if constexpr (kTurns) points.turns[p] = normalTurnOf(m.x, m.y, m.z);
+        if constexpr (kWithNormals) points.normalMatrices[p] = normalMatrixOf(m.x, m.y, m.z);
     }
 }
 
 struct Normals {
-    const NormalTurn* turns;
+    const NormalMatrix* normalMatrices;
     const std::uint32_t* positions;
     std::span<const glm::vec3> from;
     glm::vec3* to;
 };
 
 // The transformed normal in the order z, x, y, not yet of unit length.
-WALKCYCLE_INLINE Float4 turned(const Normals& normals, std::size_t v) {
-    const NormalTurn& turn = normals.turns[normals.positions[v]];
+WALKCYCLE_INLINE Float4 transformed(const Normals& normals, std::size_t v) {
+    const NormalMatrix& matrix = normals.normalMatrices[normals.positions[v]];
     const glm::vec3& normal = normals.from[v];
-    return turn.x * splat(normal.x) + (turn.y * splat(normal.y) + turn.z * splat(normal.z));
+    return matrix.x * splat(normal.x) + (matrix.y * splat(normal.y) + matrix.z * splat(normal.z));
 }
 
 // Four vectors, each z, x, y, become x, y, z of unit length.
@@ -125,16 +125,16 @@ WALKCYCLE_INLINE void makeUnit(std::array<Float4, 4>& four) {
     transpose(four[0], four[1], four[2], four[3]);
 }
 
-WALKCYCLE_INLINE void turnAll(const Normals& normals) {
+WALKCYCLE_INLINE void transformAll(const Normals& normals) {
     std::array<Float4, 4> four{};
     std::size_t v = 0;
     for (; v + 4 <= normals.from.size(); v += 4) {
-        for (std::size_t i = 0; i < 4; ++i) four[i] = turned(normals, v + i);
+        for (std::size_t i = 0; i < 4; ++i) four[i] = transformed(normals, v + i);
         makeUnit(four);
         for (std::size_t i = 0; i < 4; ++i) store(normals.to[v + i], four[i]);
     }
     const std::size_t rest = normals.from.size() - v;
-    for (std::size_t i = 0; i < rest; ++i) four[i] = turned(normals, v + i);
+    for (std::size_t i = 0; i < rest; ++i) four[i] = transformed(normals, v + i);
     makeUnit(four);
     for (std::size_t i = 0; i < rest; ++i) store(normals.to[v + i], four[i]);
 }
@@ -160,18 +160,18 @@ WALKCYCLE_AVX2 void skinAvx2(const Points& points) {
         const Float4 z = _mm256_castps256_ps128(zw), w = _mm256_extractf128_ps(zw, 1);
         const glm::vec3 at = points.from[p];
         store(points.to[p], x * splat(at.x) + (y * splat(at.y) + (z * splat(at.z) + w)));
-        if (points.turns) points.turns[p] = normalTurnOf(x, y, z);
+        if (points.normalMatrices) points.normalMatrices[p] = normalMatrixOf(x, y, z);
     }
 }
-WALKCYCLE_AVX2 void turnAvx2(const Normals& normals) {
-    turnAll(normals);
+WALKCYCLE_AVX2 void transformAvx2(const Normals& normals) {
+    transformAll(normals);
 }
 #else
 bool hasAvx2() {
     return false;
 }
 void skinAvx2(const Points&) {}
-void turnAvx2(const Normals&) {}
+void transformAvx2(const Normals&) {}
 #endif
 
 bool takesAvx2(SkinningWay way) {
@@ -185,27 +185,29 @@ bool hasSkinningWay(SkinningWay way) {
 }
 
 void skinPositions(const Influences& influences, std::span<const glm::mat4> palette,
-                   std::span<const glm::vec3> from, std::span<glm::vec3> to, std::vector<NormalTurn>* turns,
-                   SkinningWay way) {
+                   std::span<const glm::vec3> from, std::span<glm::vec3> to,
+                   std::vector<NormalMatrix>* normalMatrices, SkinningWay way) {
     assert(to.size() == from.size() && influences.first.size() == from.size() + 1);
-    if (turns) turns->resize(from.size());
-    const Points points{influences, palette.data(), from, to.data(), turns ? turns->data() : nullptr};
+    if (normalMatrices) normalMatrices->resize(from.size());
+    const Points points{influences, palette.data(), from, to.data(),
+                        normalMatrices ? normalMatrices->data() : nullptr};
     if (takesAvx2(way))
         skinAvx2(points);
-    else if (turns)
+    else if (normalMatrices)
         skinAll<true>(points);
     else
         skinAll<false>(points);
 }
 
-void turnNormals(std::span<const NormalTurn> turns, std::span<const std::uint32_t> vertexPositions,
-                 std::span<const glm::vec3> from, std::span<glm::vec3> to, SkinningWay way) {
+void transformNormals(std::span<const NormalMatrix> normalMatrices,
+                      std::span<const std::uint32_t> vertexPositions, std::span<const glm::vec3> from,
+                      std::span<glm::vec3> to, SkinningWay way) {
     assert(to.size() == from.size() && vertexPositions.size() == from.size());
-    const Normals normals{turns.data(), vertexPositions.data(), from, to.data()};
+    const Normals normals{normalMatrices.data(), vertexPositions.data(), from, to.data()};
     if (takesAvx2(way))
-        turnAvx2(normals);
+        transformAvx2(normals);
     else
-        turnAll(normals);
+        transformAll(normals);
 }
 
 }  // namespace walkcycle

@@ -35,10 +35,10 @@ glm::dvec3 areaVector(const MeshFaces& faces, const Ring& ring, const std::vecto
 float innerAngle(const glm::dvec3& before, const glm::dvec3& at, const glm::dvec3& after,
                  const glm::vec3& normal) {
     const glm::dvec3 in = at - before, out = after - at;
-    const glm::dvec3 turn = glm::cross(in, out);
-    const double angle = std::atan2(glm::length(turn), -glm::dot(in, out));
-    return static_cast<float>(glm::dot(turn, glm::dvec3(normal)) < 0.0 ? 2.0 * std::numbers::pi - angle
-                                                                       : angle);
+    const glm::dvec3 perpendicular = glm::cross(in, out);
+    const double angle = std::atan2(glm::length(perpendicular), -glm::dot(in, out));
+    return static_cast<float>(
+        glm::dot(perpendicular, glm::dvec3(normal)) < 0.0 ? 2.0 * std::numbers::pi - angle : angle);
 }
 
 void addShares(const MeshFaces& faces, const Ring& ring, const glm::vec3& restNormal, const glm::vec3& normal,

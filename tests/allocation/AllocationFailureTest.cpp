@@ -25,13 +25,13 @@ std::string character() {
     SkinText skin;
     skin.source = "#smile";
     AnimationText walk{.target = "hip/t.Y", .times = "0 1 2", .values = "0 1 0", .id = "walk"};
-    AnimationText turn{.target = "knee/r.ANGLE",
+    AnimationText bend{.target = "knee/r.ANGLE",
                        .times = "0 1",
                        .values = "0 170",
                        .interpolations = "BEZIER",
                        .inTangents = "0 0 0.5 90",
                        .outTangents = "0.5 90 1 170",
-                       .id = "turn"};
+                       .id = "bend"};
     AnimationText grin{.target = "weights(0)", .times = "0 1", .values = "0 1", .id = "grin"};
     const std::string morph =
         "<controller id='smile'><morph source='#mesh'>" + nameSource("targets", "high", "IDREF_array") +
@@ -56,7 +56,7 @@ std::string character() {
         "<directional><color>1 1 1</color></directional></technique_common></light></library_lights>";
     const std::string clips =
         "<library_animation_clips><animation_clip id='a' start='0' end='1'><instance_animation url='#walk'/>"
-        "</animation_clip><animation_clip id='b' start='0' end='1'><instance_animation url='#turn'/>"
+        "</animation_clip><animation_clip id='b' start='0' end='1'><instance_animation url='#bend'/>"
         "</animation_clip></library_animation_clips>";
     const std::string nodes =
         "<node id='hip' sid='hip'><translate sid='t'>0 0 0</translate><node id='knee' sid='knee'><rotate "
@@ -67,7 +67,7 @@ std::string character() {
         "</instance_controller><instance_geometry url='parts.dae#wheel'/><instance_camera url='#eye'/>"
         "<instance_light url='#sun'/><instance_node url='#nowhere'/></node>";
     return collada(paint + optics + mesh + triangle("high", "0 0 1 1 0 1 0 1 1") +
-                   controllers(morph + skin.text()) + animations(walk.text() + turn.text() + grin.text()) +
+                   controllers(morph + skin.text()) + animations(walk.text() + bend.text() + grin.text()) +
                    clips + scene(nodes));
 }
 

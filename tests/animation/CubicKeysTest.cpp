@@ -35,15 +35,15 @@ TEST(CubicKeysTest, eachStretchHasTangentsOfItsOwn) {
 }
 
 TEST(CubicKeysTest, scalesAndRotationsGoOnCurvesToo) {
-    const glm::quat turned = glm::angleAxis(1.5f, glm::vec3(0, 0, 1));
-    const std::vector<KeyFrame> keyFrames{{0.0, {}}, {1.0, {.rotation = turned, .scale = glm::vec3(3.0f)}}};
+    const glm::quat rotated = glm::angleAxis(1.5f, glm::vec3(0, 0, 1));
+    const std::vector<KeyFrame> keyFrames{{0.0, {}}, {1.0, {.rotation = rotated, .scale = glm::vec3(3.0f)}}};
     std::vector<KeyTangents> tangents(2);
     tangents[0].out.rotation = glm::quat(0.0f, 0.5f, 0.0f, 0.7f);
 
     EXPECT_FLOAT_EQ(sampleCubic(keyFrames, tangents, 0.25).scale.x, 1.3125f);  // flat at both ends
     EXPECT_NEAR(glm::length(sampleCubic(keyFrames, tangents, 0.4).rotation), 1.0f, 1e-6f);
     EXPECT_GT(sampleCubic(keyFrames, tangents, 0.4).rotation.x, 0.05f);
-    EXPECT_NEAR(glm::dot(sampleCubic(keyFrames, tangents, 1.0).rotation, turned), 1.0f, 1e-6f);
+    EXPECT_NEAR(glm::dot(sampleCubic(keyFrames, tangents, 1.0).rotation, rotated), 1.0f, 1e-6f);
 }
 
 TEST(CubicKeysTest, aStepHoldsAlsoBetweenCurves) {

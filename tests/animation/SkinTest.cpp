@@ -35,12 +35,12 @@ TEST(SkinTest, inTheBindPoseTheMeshStaysWhereItsBindShapeIs) {
     EXPECT_EQ(origin(palette[0]), glm::vec3(5.0f, 0.0f, 0.0f));
 }
 
-TEST(SkinTest, aTurnedJointTurnsTheBindShapeAboutItself) {
+TEST(SkinTest, aRotatedJointRotatesTheBindShapeAboutItself) {
     const Skin skin = oneJointSkin(moved(1.0f, 2.0f, 0.0f));
-    const glm::mat4 turned =
+    const glm::mat4 rotated =
         glm::rotate(moved(0.0f, 2.0f, 0.0f), glm::radians(90.0f), glm::vec3(0.0f, 0.0f, 1.0f));
     std::vector<glm::mat4> palette;
-    computePalette(skin, {turned, glm::mat4(1.0f)}, palette);
+    computePalette(skin, {rotated, glm::mat4(1.0f)}, palette);
 
     EXPECT_NEAR(origin(palette[0]).x, 0.0f, 1e-6f);
     EXPECT_NEAR(origin(palette[0]).y, 3.0f, 1e-6f);

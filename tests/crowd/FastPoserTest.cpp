@@ -41,9 +41,9 @@ public:
     float number(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
 
     JointTransform transform() {
-        const glm::quat turn(1.2f, number(-1, 1), number(-1, 1), number(-1, 1));
+        const glm::quat rotation(1.2f, number(-1, 1), number(-1, 1), number(-1, 1));
         return {.position = {number(-0.5f, 0.5f), number(-0.5f, 0.5f), number(-0.5f, 0.5f)},
-                .rotation = glm::normalize(turn),
+                .rotation = glm::normalize(rotation),
                 .scale = {number(0.95f, 1.05f), number(0.95f, 1.05f), number(0.95f, 1.05f)}};
     }
 

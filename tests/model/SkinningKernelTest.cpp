@@ -26,9 +26,9 @@ struct Cloud {
         std::uniform_real_distribution<float> number(-1.0f, 1.0f);
         const auto vector = [&] { return glm::vec3(number(engine), number(engine), number(engine)); };
         for (int i = 0; i < 20; ++i) {
-            const glm::mat4 turned =
+            const glm::mat4 rotated =
                 glm::rotate(glm::mat4(1.0f), 3.0f * number(engine), glm::normalize(vector()));
-            const glm::mat4 moved = glm::translate(turned, vector());
+            const glm::mat4 moved = glm::translate(rotated, vector());
             palette.push_back(i % 3 == 0 ? glm::scale(moved, {1.5f, 0.5f, i % 2 == 0 ? -1.0f : 1.0f})
                                          : moved);
         }
@@ -79,12 +79,12 @@ TEST_P(SkinningWays, positionsAreMovedByTheSumOfTheirMatrices) {
     }
 }
 
-TEST_P(SkinningWays, normalsAreTurnedAsTheirSurfaceIs) {
+TEST_P(SkinningWays, normalsFollowTheirSurface) {
     const Cloud cloud(301);
     std::vector<glm::vec3> positions = cloud.positions, normals = cloud.normals;
-    std::vector<NormalTurn> turns;
-    skinPositions(cloud.influences, cloud.palette, positions, positions, &turns, GetParam());
-    turnNormals(turns, cloud.vertexPositions, normals, normals, GetParam());
+    std::vector<NormalMatrix> normalMatrices;
+    skinPositions(cloud.influences, cloud.palette, positions, positions, &normalMatrices, GetParam());
+    transformNormals(normalMatrices, cloud.vertexPositions, normals, normals, GetParam());
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const std::size_t p = cloud.vertexPositions[v];
         const glm::mat3 matrix(cloud.blended(p));
@@ -94,7 +94,7 @@ TEST_P(SkinningWays, normalsAreTurnedAsTheirSurfaceIs) {
         }
         expectNear(normals[v], glm::normalize(glm::transpose(glm::inverse(matrix)) * cloud.normals[v]),
                    "normal " + std::to_string(v));
-        EXPECT_EQ(turns[p].isMirror(), glm::determinant(matrix) < 0.0f) << v;
+        EXPECT_EQ(normalMatrices[p].isMirror(), glm::determinant(matrix) < 0.0f) << v;
     }
 }
 
@@ -102,9 +102,9 @@ TEST_P(SkinningWays, whatIsTooLargeForANumberHasNoNormal) {
     Cloud cloud(8);
     for (glm::mat4& matrix : cloud.palette) matrix = glm::mat4(3e18f);
     std::vector<glm::vec3> positions = cloud.positions, normals = cloud.normals;
-    std::vector<NormalTurn> turns;
-    skinPositions(cloud.influences, cloud.palette, positions, positions, &turns, GetParam());
-    turnNormals(turns, cloud.vertexPositions, normals, normals, GetParam());
+    std::vector<NormalMatrix> normalMatrices;
+    skinPositions(cloud.influences, cloud.palette, positions, positions, &normalMatrices, GetParam());
+    transformNormals(normalMatrices, cloud.vertexPositions, normals, normals, GetParam());
     for (const glm::vec3& normal : normals) EXPECT_EQ(normal, glm::vec3(0.0f));
 }
 

@@ -135,9 +135,9 @@ TEST_F(AnimatedModelRendererGLTest, halfOpaqueThingsHaveHalfTheAlphaAndTheirOwnC
 }
 
 TEST_F(AnimatedModelRendererGLTest, bothSidesOfASquareAreLit) {
-    const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 3.14159265f, {0, 1, 0});
+    const glm::mat4 rotated = glm::rotate(glm::mat4(1.0f), 3.14159265f, {0, 1, 0});
     const auto front = pixel(draw(rigid(square()), kFile), 32, 32);
-    const auto back = pixel(draw(rigid(square(), turned), kFile), 32, 32);
+    const auto back = pixel(draw(rigid(square(), rotated), kFile), 32, 32);
     EXPECT_EQ(front, back);
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using namespace testing_models;
 
-// A skinned ball, and a square on a node of its own; both turn for a second. The ball alone where it is of glass.
+// A skinned ball, and a square on a node of its own; both rotate for a second. Only the ball if it is of glass.
 std::shared_ptr<const Model> dancer(bool seeThrough = false) {
     Model model = skinned(9, 6);
     model.meshes.push_back(square());
@@ -27,8 +27,8 @@ std::shared_ptr<const Model> dancer(bool seeThrough = false) {
     board.node = 3;
     board.deformers.clear();
     if (!seeThrough) model.instances.push_back(board);
-    Animation turn;
-    turn.endSeconds = 1.0;
+    Animation clip;
+    clip.endSeconds = 1.0;
     for (const int joint : {2, 3, 5, 8}) {
         Channel channel{.joint = joint, .keyFrames = {}};
         for (const float t : {0.0f, 0.5f, 1.0f}) {
@@ -37,9 +37,9 @@ std::shared_ptr<const Model> dancer(bool seeThrough = false) {
             transform.rotation = glm::angleAxis(t * 2.0f, glm::vec3(0.0f, 0.6f, 0.8f));
             channel.keyFrames.push_back({t, transform});
         }
-        turn.channels.push_back(channel);
+        clip.channels.push_back(channel);
     }
-    model.animations.push_back(turn);
+    model.animations.push_back(clip);
     if (seeThrough) {
         Material& glass = model.materials[0];
         glass.transparent = true;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "loaders/controllers/MorphLoader.h"
+#include "loaders/controllers/MorphDeltas.h"
 #include "loaders/sources/Inputs.h"
 #include "loaders/text/Spelling.h"
 
@@ -161,7 +161,7 @@ void ControllerLoader::addTargets(const NameSource& names, XmlNode geometry, Mor
             context_.diagnostics.report(Code::MorphTargetShort, target,
                                         {name, std::to_string(shape.mesh.positions.size()),
                                          std::string(geometry.id()), std::to_string(wanted)});
-        result.targets.push_back(makeMorphTarget(base, shape, result.method, name));
+        result.targets.push_back(makeMorphDeltas(base, shape, result.method, name));
     }
 }
 

@@ -64,9 +64,9 @@ bool readLayout(XmlNode vertexWeights, const LoadContext& context, Layout& layou
     return false;
 }
 
-class Reader {
+class InfluenceReader {
 public:
-    Reader(XmlNode element, const LoadContext& context, const Layout& layout, std::size_t jointCount)
+    InfluenceReader(XmlNode element, const LoadContext& context, const Layout& layout, std::size_t jointCount)
         : element_(element),
           context_(context),
           layout_(layout),
@@ -207,7 +207,7 @@ Influences readWeights(XmlNode vertexWeights, std::size_t positionCount, std::si
     out.first.push_back(0);
     Layout layout;
     const bool usable = readLayout(vertexWeights, context, layout);
-    Reader reader(vertexWeights, context, layout, jointCount);
+    InfluenceReader reader(vertexWeights, context, layout, jointCount);
     if (usable) {
         const std::vector<std::size_t> counts =
             readVcounts(vertexWeights, reader.groupCount(), positionCount, context);

@@ -227,15 +227,15 @@ void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outS
 // that were not neighbours in the file, the first one counts.
 void SamplerReader::fixTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
     const std::size_t count = keys.times.size();
-    bool sorted = true, crowded = false;
+    bool sorted = true, tripled = false;
     std::size_t firstOdd = 0;
     for (std::size_t i = 1; i < count; ++i) {
         sorted = sorted && keys.times[i - 1] <= keys.times[i];
-        crowded = crowded || (i > 1 && keys.times[i - 2] == keys.times[i]);
-        if (firstOdd == 0 && (!sorted || crowded)) firstOdd = i;
+        tripled = tripled || (i > 1 && keys.times[i - 2] == keys.times[i]);
+        if (firstOdd == 0 && (!sorted || tripled)) firstOdd = i;
     }
     const bool allSame = count > 1 && sorted && keys.times.front() == keys.times.back();
-    if (sorted && !crowded && !allSame) return;
+    if (sorted && !tripled && !allSame) return;
     context_.diagnostics.report(Code::KeyTimesInvalid, source.array,
                                 {samplerName(sampler), allSame   ? "are all the same"
                                                        : !sorted ? "do not rise"

@@ -25,11 +25,11 @@ glm::vec3 unit(const glm::vec3& normal) {
 void BadIndices::report(const PrimitiveCorners& primitive, const CornerInput& input, const char* semantic,
                         Diagnostics& diagnostics) const {
     if (count_ == 0) return;
-    const CornerPlace place = findCorner(primitive, corner_, input.offset);
+    const CornerLocation location = findCorner(primitive, corner_, input.offset);
     diagnostics.report(
-        Code::IndexOutOfRange, place.element,
+        Code::IndexOutOfRange, location.element,
         {std::to_string(count_), semantic, std::to_string(input.source->count()), std::to_string(index_)},
-        place.line);
+        location.line);
 }
 
 CornerAttributes::CornerAttributes(const std::vector<PrimitiveCorners>& primitives) {

@@ -30,9 +30,10 @@ std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
     return corners;
 }
 
-class Builder {
+class MeshAssembler {
 public:
-    Builder(const std::vector<PrimitiveCorners>& primitives, LoadedMesh& loaded, const LoadContext& context)
+    MeshAssembler(const std::vector<PrimitiveCorners>& primitives, LoadedMesh& loaded,
+                  const LoadContext& context)
         : loaded_(loaded),
           mesh_(loaded.mesh),
           context_(context),
@@ -80,7 +81,7 @@ private:
 };
 
 // All position sources of a mesh stand one after another in MeshData::positions. There is hardly ever a second.
-std::uint32_t Builder::positionBase(const FloatSource& source) {
+std::uint32_t MeshAssembler::positionBase(const FloatSource& source) {
     for (const auto& [known, base] : positionSources_)
         if (known == &source) return base;
     const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -93,14 +94,15 @@ std::uint32_t Builder::positionBase(const FloatSource& source) {
 }
 
 // `count` is how many positions the primitive's source has.
-std::uint32_t Builder::positionAt(const PrimitiveCorners& primitive, std::size_t corner, std::size_t count) {
+std::uint32_t MeshAssembler::positionAt(const PrimitiveCorners& primitive, std::size_t corner,
+                                        std::size_t count) {
     const std::int32_t index = primitive.corner(corner)[primitive.inputs.position.offset];
     if (index >= 0 && static_cast<std::size_t>(index) < count) return static_cast<std::uint32_t>(index);
     badPositions_.add(corner, index);
     return kNoPosition;
 }
 
-void Builder::addPositions(const PrimitiveCorners& primitive) {
+void MeshAssembler::addPositions(const PrimitiveCorners& primitive) {
     const std::uint32_t base = positionBase(*primitive.inputs.position.source);
     if (primitive.kind == Primitive::Lines) return;
     badPositions_ = {};
@@ -119,7 +121,7 @@ void Builder::addPositions(const PrimitiveCorners& primitive) {
     loaded_.hasNormals = loaded_.hasNormals || primitive.inputs.normal.source;
 }
 
-void Builder::addPart(const PrimitiveCorners& primitive) {
+void MeshAssembler::addPart(const PrimitiveCorners& primitive) {
     context_.checkCancelled(primitive.element);
     MeshPart part;
     part.primitive = primitive.kind;
@@ -138,7 +140,7 @@ void Builder::addPart(const PrimitiveCorners& primitive) {
     if (part.indexCount > 0) mesh_.parts.push_back(std::move(part));
 }
 
-void Builder::addLines(const PrimitiveCorners& primitive) {
+void MeshAssembler::addLines(const PrimitiveCorners& primitive) {
     const std::uint32_t base = positionBase(*primitive.inputs.position.source);
     const std::size_t count = primitive.inputs.position.source->count();
     for (const Ring& line : primitive.rings) {
@@ -152,7 +154,7 @@ void Builder::addLines(const PrimitiveCorners& primitive) {
     badPositions_.report(primitive, primitive.inputs.position, "VERTEX", context_.diagnostics);
 }
 
-void Builder::addFaces(const PrimitiveCorners& primitive) {
+void MeshAssembler::addFaces(const PrimitiveCorners& primitive) {
     const std::span<const Ring> rings(loaded_.faces.rings);
     // A ring counts as much again as reading it did (see LoadProgress).
     const double workOfRing =
@@ -176,7 +178,7 @@ void Builder::addFaces(const PrimitiveCorners& primitive) {
 }
 
 // Makes vertices of a ring's corners, unless the position of one is not there.
-bool Builder::joinRing(const PrimitiveCorners& primitive, const Ring& ring, std::size_t meshCorner) {
+bool MeshAssembler::joinRing(const PrimitiveCorners& primitive, const Ring& ring, std::size_t meshCorner) {
     const std::uint32_t* positions = loaded_.faces.cornerPositions.data() + meshCorner;
     if (std::find(positions, positions + ring.cornerCount, kNoPosition) != positions + ring.cornerCount)
         return false;
@@ -188,8 +190,8 @@ bool Builder::joinRing(const PrimitiveCorners& primitive, const Ring& ring, std:
 }
 
 // Most corners repeat all indices of the one before them at their position, and so are the same vertex.
-std::uint32_t Builder::vertexOf(const PrimitiveCorners& primitive, std::size_t corner,
-                                std::size_t meshCorner) {
+std::uint32_t MeshAssembler::vertexOf(const PrimitiveCorners& primitive, std::size_t corner,
+                                      std::size_t meshCorner) {
     const std::uint32_t position = loaded_.faces.cornerPositions[meshCorner];
     std::uint32_t& last = lastJoined_[position];
     if (last > firstCorner_) {
@@ -206,7 +208,7 @@ std::uint32_t Builder::vertexOf(const PrimitiveCorners& primitive, std::size_t c
 }
 
 // False where the corner has none that can be used, and gets its face's.
-bool Builder::useNormal(float* normal, std::size_t meshCorner) {
+bool MeshAssembler::useNormal(float* normal, std::size_t meshCorner) {
     if (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > kLeastNormalSquared)
         return true;
     ++zeroNormals_;
@@ -216,7 +218,7 @@ bool Builder::useNormal(float* normal, std::size_t meshCorner) {
 }
 
 // Appends the triangles of a polygon (its outline and holes, all joined).
-void Builder::cutFace(std::span<const Ring> rings) {
+void MeshAssembler::cutFace(std::span<const Ring> rings) {
     const Ring& outline = rings[0];
     const std::uint32_t* vertices = loaded_.cornerVertices.data();
     const std::uint32_t c0 = outline.firstCorner;
@@ -241,7 +243,7 @@ void Builder::cutFace(std::span<const Ring> rings) {
         addIndices(std::span(pointCorners_).subspan(point, 1));
 }
 
-void Builder::addIndices(std::span<const std::uint32_t> corners) {
+void MeshAssembler::addIndices(std::span<const std::uint32_t> corners) {
     const std::uint32_t* const vertices = loaded_.cornerVertices.data();
     for (const std::uint32_t corner : corners) mesh_.indices.push_back(vertices[corner]);
     if (!loaded_.hasNormals)
@@ -250,7 +252,7 @@ void Builder::addIndices(std::span<const std::uint32_t> corners) {
 
 // Whether a polygon is more than a line. It is plain where the first and the last triangle of a fan face where the whole
 // does: then a quad may be cut from its first corner to its third.
-bool Builder::hasArea(const Ring& ring, bool& isPlain) {
+bool MeshAssembler::hasArea(const Ring& ring, bool& isPlain) {
     const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + ring.firstCorner;
     const glm::dvec3 origin(mesh_.positions[corners[0]]);
     glm::dvec3 edge = glm::dvec3(mesh_.positions[corners[1]]) - origin;
@@ -268,7 +270,7 @@ bool Builder::hasArea(const Ring& ring, bool& isPlain) {
     return glm::dot(area, area) > kFlatSquared * size * size;
 }
 
-void Builder::report(const PrimitiveCorners& primitive) {
+void MeshAssembler::report(const PrimitiveCorners& primitive) {
     const std::string name(primitive.element.name());
     if (flatFaces_ > 0)
         context_.diagnostics.report(Code::ZeroAreaFaces, primitive.element,
@@ -278,7 +280,7 @@ void Builder::report(const PrimitiveCorners& primitive) {
                                     {std::to_string(zeroNormals_), name});
 }
 
-void Builder::finish() {
+void MeshAssembler::finish() {
     mesh_.vertexPositions = joiner_.takePositions();
     attributes_.store(mesh_, joiner_.attributes(0));
 }
@@ -287,16 +289,16 @@ void Builder::finish() {
 
 void buildMesh(const PrimitiveInputs& vertices, const std::vector<PrimitiveCorners>& primitives,
                LoadedMesh& loaded, const LoadContext& context) {
-    Builder builder(primitives, loaded, context);
+    MeshAssembler assembler(primitives, loaded, context);
     // Once for all: a reserve() for each of many primitives would copy what there is each time.
     std::size_t rings = 0;
     for (const PrimitiveCorners& primitive : primitives) rings += primitive.rings.size();
     loaded.mesh.indices.reserve(cornersOf(primitives));
     loaded.faces.rings.reserve(rings);
-    if (vertices.usable()) builder.positionBase(*vertices.position.source);
-    for (const PrimitiveCorners& primitive : primitives) builder.addPositions(primitive);
-    for (const PrimitiveCorners& primitive : primitives) builder.addPart(primitive);
-    builder.finish();
+    if (vertices.usable()) assembler.positionBase(*vertices.position.source);
+    for (const PrimitiveCorners& primitive : primitives) assembler.addPositions(primitive);
+    for (const PrimitiveCorners& primitive : primitives) assembler.addPart(primitive);
+    assembler.finish();
 }
 
 }  // namespace walkcycle

@@ -13,16 +13,16 @@ namespace {
 
 // An <asset> on the geometry speaks another unit or another up axis than the document.
 void convert(LoadedMesh& loaded, const glm::mat4& matrix) {
-    const glm::mat3 turn(matrix);
-    const auto turned = [&](const glm::vec3& normal) {
-        const glm::vec3 result = turn * normal;
+    const glm::mat3 linear(matrix);
+    const auto converted = [&](const glm::vec3& normal) {
+        const glm::vec3 result = linear * normal;
         const float length = glm::length(result);
         return length > 0.0f ? result / length : result;
     };
     for (glm::vec3& position : loaded.mesh.positions)
         position = glm::vec3(matrix * glm::vec4(position, 1.0f));
-    for (glm::vec3& normal : loaded.mesh.normals) normal = turned(normal);
-    for (glm::vec3& normal : loaded.positionNormals) normal = turned(normal);
+    for (glm::vec3& normal : loaded.mesh.normals) normal = converted(normal);
+    for (glm::vec3& normal : loaded.positionNormals) normal = converted(normal);
 }
 
 template <typename T>

@@ -34,19 +34,19 @@ const KindName* kindOf(XmlNode element) {
 // Of a fan or a strip, which the reader cuts: which corner of its <p> the n-th of the cut-off triangles' or lines' was.
 std::size_t cornerBeforeCut(Kind kind, std::size_t corner) {
     const std::size_t size = kind == Kind::Linestrips ? 2 : 3;
-    const std::size_t ring = corner / size, place = corner % size;
-    if (kind == Kind::Trifans && place == 0) return 0;
-    const bool turned = kind == Kind::Tristrips && ring % 2 == 1 && place < 2;
-    return ring + (turned ? 1 - place : place);
+    const std::size_t ring = corner / size, nth = corner % size;
+    if (kind == Kind::Trifans && nth == 0) return 0;
+    const bool swapped = kind == Kind::Tristrips && ring % 2 == 1 && nth < 2;
+    return ring + (swapped ? 1 - nth : nth);
 }
 
 bool isCut(Kind kind) {
     return kind == Kind::Trifans || kind == Kind::Tristrips || kind == Kind::Linestrips;
 }
 
-// The place of a corner of a fan or a strip.
-CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::size_t corner,
-                          std::size_t offset) {
+// Finds a corner of a fan or a strip in the file.
+CornerLocation findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::size_t corner,
+                             std::size_t offset) {
     const std::size_t size = kind == Kind::Linestrips ? 2 : 3, stride = primitive.inputs.stride;
     for (XmlNode p : primitive.element.children("p")) {
         std::string joined;
@@ -59,9 +59,9 @@ CornerPlace findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::siz
 }
 
 // Reads one primitive; its members are what the steps share.
-class Reader {
+class CornerReader {
 public:
-    Reader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
+    CornerReader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
         : kind_(kind), context_(context), pieceRead_(context.pieceRead()) {
         out_.element = element;
         out_.inputs = readPrimitiveInputs(element, vertices, context);
@@ -267,7 +267,7 @@ bool isPrimitive(XmlNode element) {
 }
 
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context) {
-    return Reader(element, kindOf(element)->kind, vertices, context).read();
+    return CornerReader(element, kindOf(element)->kind, vertices, context).read();
 }
 
 double textBytes(const PrimitiveCorners& primitive) {
@@ -277,26 +277,26 @@ double textBytes(const PrimitiveCorners& primitive) {
     return bytes;
 }
 
-CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
+CornerLocation findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
     const Kind kind = kindOf(primitive.element)->kind;
     if (isCut(kind)) return findCutCorner(primitive, kind, corner, offset);
     std::size_t number = corner * primitive.inputs.stride + offset;
-    CornerPlace place{primitive.element, primitive.element.line()};
+    CornerLocation location{primitive.element, primitive.element.line()};
     const auto lookIn = [&](XmlNode p) {
         std::string joined;
         const std::size_t numbers = countWords(p.rawText(joined));
-        if (number < numbers) place = {p, p.lineOfWord(number)};
+        if (number < numbers) location = {p, p.lineOfWord(number)};
         const bool found = number < numbers;
         number -= std::min(number, numbers);
         return found;
     };
     for (XmlNode child : primitive.element.children()) {
-        if (child.is("p") && lookIn(child)) return place;
+        if (child.is("p") && lookIn(child)) return location;
         if (!child.is("ph")) continue;
         for (XmlNode ring : child.children())
-            if ((ring.is("p") || ring.is("h")) && lookIn(ring)) return place;
+            if ((ring.is("p") || ring.is("h")) && lookIn(ring)) return location;
     }
-    return place;
+    return location;
 }
 
 }  // namespace walkcycle

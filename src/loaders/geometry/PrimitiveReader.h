@@ -36,10 +36,10 @@ double textBytes(const PrimitiveCorners& primitive);
 
 // Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. For fans and strips,
 // that is the index from which the triangle's or line's corner was made.
-struct CornerPlace {
+struct CornerLocation {
     XmlNode element;
     int line = 0;
 };
-CornerPlace findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset);
+CornerLocation findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset);
 
 }  // namespace walkcycle

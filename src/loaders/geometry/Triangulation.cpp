@@ -21,12 +21,12 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 }
 
 // Positive where a, b, c turn left.
-double turnOf(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+double orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return cross(b - a, c - b);
 }
 
 bool inTriangle(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return turnOf(a, b, p) >= 0.0 && turnOf(b, c, p) >= 0.0 && turnOf(c, a, p) >= 0.0;
+    return orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 && orientation(c, a, p) >= 0.0;
 }
 
 double areaOf(std::span<const glm::dvec2> ring) {
@@ -85,7 +85,7 @@ bool Triangulation::isConvex() const {
     int reversals = 0;
     bool rightward = false;
     for (std::uint32_t i = 0; i < remaining_; ++i) {
-        if (turn(i) <= 0.0) return false;
+        if (orientationAt(i) <= 0.0) return false;
         const bool goesRight = corners_[corners_[i].next].at.x > corners_[i].at.x;
         if (i > 0 && goesRight != rightward) ++reversals;
         rightward = goesRight;
@@ -114,9 +114,9 @@ std::uint32_t Triangulation::link(std::uint32_t begin, std::uint32_t end, bool a
     return first;
 }
 
-double Triangulation::turn(std::uint32_t corner) const {
+double Triangulation::orientationAt(std::uint32_t corner) const {
     const Corner& c = corners_[corner];
-    return turnOf(corners_[c.previous].at, c.at, corners_[c.next].at);
+    return orientation(corners_[c.previous].at, c.at, corners_[c.next].at);
 }
 
 // Holes are joined from right to left, so that a bridge to the right never meets one that is still to come.
@@ -208,16 +208,16 @@ std::uint32_t Triangulation::visibleFrom(const glm::dvec2& point) {
 // which bridges make, only one does.
 bool Triangulation::opensTo(const Corner& corner, const glm::dvec2& point) const {
     const glm::dvec2 before = corners_[corner.previous].at, after = corners_[corner.next].at;
-    const bool leftOfBefore = turnOf(before, corner.at, point) >= 0.0;
-    const bool leftOfAfter = turnOf(corner.at, after, point) >= 0.0;
-    return turnOf(before, corner.at, after) >= 0.0 ? leftOfBefore && leftOfAfter
-                                                   : leftOfBefore || leftOfAfter;
+    const bool leftOfBefore = orientation(before, corner.at, point) >= 0.0;
+    const bool leftOfAfter = orientation(corner.at, after, point) >= 0.0;
+    return orientation(before, corner.at, after) >= 0.0 ? leftOfBefore && leftOfAfter
+                                                        : leftOfBefore || leftOfAfter;
 }
 
 // An ear is a corner whose triangle holds no other corner; only reflex corners can be in the way.
 bool Triangulation::isEar(std::uint32_t corner) {
     ++steps_;
-    if (turn(corner) <= 0.0) return false;
+    if (orientationAt(corner) <= 0.0) return false;
     const glm::dvec2 b = corners_[corner].at;
     const glm::dvec2 a = corners_[corners_[corner].previous].at, c = corners_[corners_[corner].next].at;
     const auto blocks = [&](std::uint32_t other) {
@@ -235,7 +235,7 @@ void Triangulation::clip(std::uint32_t corner) {
     corners_[after].previous = before;
     corners_[corner].reflex = false;
     for (const std::uint32_t neighbour : {before, after})
-        if (corners_[neighbour].reflex) corners_[neighbour].reflex = turn(neighbour) <= 0.0;
+        if (corners_[neighbour].reflex) corners_[neighbour].reflex = orientationAt(neighbour) <= 0.0;
     --remaining_;
 }
 
@@ -243,7 +243,7 @@ void Triangulation::clipEars() {
     reflexCorners_.clear();
     std::uint32_t corner = 0;
     for (std::uint32_t i = 0; i < remaining_; ++i, corner = corners_[corner].next) {
-        corners_[corner].reflex = turn(corner) <= 0.0;
+        corners_[corner].reflex = orientationAt(corner) <= 0.0;
         if (corners_[corner].reflex) reflexCorners_.add(corners_[corner].at, corner);
     }
     reflexCorners_.build();

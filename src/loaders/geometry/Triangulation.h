@@ -43,7 +43,7 @@ private:
     void clipEars();
     void clip(std::uint32_t corner);
     bool isEar(std::uint32_t corner);
-    double turn(std::uint32_t corner) const;
+    double orientationAt(std::uint32_t corner) const;
 
     std::vector<glm::dvec2> flat_;
     std::vector<Corner> corners_;

@@ -49,22 +49,22 @@ std::uint32_t VertexJoiner::addToTable(std::uint32_t position, const float* attr
     const std::uint32_t hash = hashOf(position, attributes, attributeCount_);
     std::size_t slot = hash & (table_.size() - 1);
     for (; table_[slot] != kNone; slot = (slot + 1) & (table_.size() - 1)) {
-        const std::uint32_t vertex = crowded_[table_[slot]].vertex;
-        if (crowded_[table_[slot]].hash == hash && positions_[vertex] == position &&
+        const std::uint32_t vertex = overflowed_[table_[slot]].vertex;
+        if (overflowed_[table_[slot]].hash == hash && positions_[vertex] == position &&
             looksLike(vertex, attributes))
             return vertex;
     }
     const std::uint32_t vertex = append(position, attributes);
-    table_[slot] = static_cast<std::uint32_t>(crowded_.size());
-    crowded_.push_back({vertex, hash});
-    if (crowded_.size() * 2 > table_.size()) growTable();
+    table_[slot] = static_cast<std::uint32_t>(overflowed_.size());
+    overflowed_.push_back({vertex, hash});
+    if (overflowed_.size() * 2 > table_.size()) growTable();
     return vertex;
 }
 
 void VertexJoiner::growTable() {
     table_.assign(table_.size() * 2, kNone);
-    for (std::uint32_t i = 0; i < crowded_.size(); ++i) {
-        std::size_t slot = crowded_[i].hash & (table_.size() - 1);
+    for (std::uint32_t i = 0; i < overflowed_.size(); ++i) {
+        std::size_t slot = overflowed_[i].hash & (table_.size() - 1);
         while (table_[slot] != kNone) slot = (slot + 1) & (table_.size() - 1);
         table_[slot] = i;
     }

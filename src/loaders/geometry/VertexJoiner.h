@@ -26,7 +26,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    struct Crowded {
+    struct Overflowed {
         std::uint32_t vertex, hash;
     };
     bool looksLike(std::uint32_t vertex, const float* attributes) const;
@@ -40,7 +40,7 @@ private:
     // The vertices at a position as a chain: its first, and for each vertex the next. There are one to six mostly.
     std::vector<std::uint32_t> firstAt_, nextAt_;
     // Those that did not fit into a chain, by their hash; the table (open addressing, a power of two) holds indices.
-    std::vector<Crowded> crowded_;
+    std::vector<Overflowed> overflowed_;
     std::vector<std::uint32_t> table_;
 };
 

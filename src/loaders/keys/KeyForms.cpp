@@ -53,8 +53,8 @@ double shear(const MatrixParts& exact, const Tolerance& tolerance) {
 
 double distance(const ExactTransform& exact, const ExactTransform& keyed, const Tolerance& tolerance) {
     const glm::dquat apart = exact.rotation - keyed.rotation, other = exact.rotation + keyed.rotation;
-    const double turned = 2.0 * std::sqrt(std::min(glm::dot(apart, apart), glm::dot(other, other)));
-    const double linear = turned * largest(exact.scale) + largest(exact.scale - keyed.scale);
+    const double rotated = 2.0 * std::sqrt(std::min(glm::dot(apart, apart), glm::dot(other, other)));
+    const double linear = rotated * largest(exact.scale) + largest(exact.scale - keyed.scale);
     return tolerance.unit * (glm::length(exact.position - keyed.position) + tolerance.reach * linear);
 }
 

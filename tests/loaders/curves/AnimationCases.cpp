@@ -43,11 +43,11 @@ AnimationText changed(void (*change)(AnimationText&)) {
     return animation;
 }
 
-// What turns a thousand times between two keys, with the few keyframes that the limits leave.
+// A joint that rotates a thousand times between two keys, with the few key frames that the limits leave.
 CodeCase fastTurn() {
-    const AnimationText turn{.target = "box/r.ANGLE", .times = "0 1", .values = "0 36000000"};
+    const AnimationText spin{.target = "box/r.ANGLE", .times = "0 1", .values = "0 36000000"};
     CodeCase fast{Code::ToleranceMissed,
-                  damagedAt(boxWith("<rotate sid='r'>0 0 1 0</rotate>", "\n" + animations(onOwnLines(turn))),
+                  damagedAt(boxWith("<rotate sid='r'>0 0 1 0</rotate>", "\n" + animations(onOwnLines(spin))),
                             "<library_animations>"),
                   "COLLADA/library_animations"};
     return fast;

@@ -84,10 +84,10 @@ TEST(MotionBuilderTest, anAssetOnTheAnimationsTurnsAndScalesWhatTheyMove) {
         EXPECT_THAT(codes(model.diagnostics), IsEmpty());
         EXPECT_NEAR(glm::distance(glm::vec3(keyed(model, 1.0)[3]), expected), 0.0f, 1e-3f);
     }
-    const Model turned =
+    const Model rotated =
         loadText(boxWith("<rotate sid='r'>0 0 1 0</rotate>",
                          animations(centimetres + AnimationText{"box/r.ANGLE", "0 2", "0 180"}.text())));
-    EXPECT_NEAR(keyed(turned, 1.0)[0].y, 1.0f, 1e-3f);
+    EXPECT_NEAR(keyed(rotated, 1.0)[0].y, 1.0f, 1e-3f);
 }
 
 std::string lampMoved(const std::string& body) {

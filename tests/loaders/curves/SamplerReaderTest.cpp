@@ -160,9 +160,9 @@ TEST(SamplerReaderTest, ofTimesThatComeInPairsTheFirstCounts) {
 }
 
 TEST(SamplerReaderTest, aStrideThatWasForgottenIsMadeUpForInRotationsAndMatrices) {
-    const ReadCurve turn(AnimationText{"box/r", "0 2", "0 0 1 0 0 0 1 90"});
-    EXPECT_EQ(turn.curve.width, 4u);
-    EXPECT_THAT(turn.said, ElementsAre("WC0306"));
+    const ReadCurve rotation(AnimationText{"box/r", "0 2", "0 0 1 0 0 0 1 90"});
+    EXPECT_EQ(rotation.curve.width, 4u);
+    EXPECT_THAT(rotation.said, ElementsAre("WC0306"));
     const ReadCurve matrix(AnimationText{"box/m", "0 2", kIdentity + kIdentity});
     EXPECT_EQ(matrix.curve.width, 16u);
     EXPECT_EQ(matrix.at(1.0), 1.0);

@@ -107,11 +107,11 @@ TEST(ClipFitterTest, jointsThatNeedMoreKeysThanThereAreGetLikeShares) {
         const std::string name = "n" + std::to_string(i);
         nodes += "<node id='" + name + "'><rotate sid='r'>0 0 1 0</rotate><rotate sid='y'>0 1 0 0</rotate>" +
                  "<instance_geometry url='#mesh'/></node>";
-        for (const std::string turn : {"r", "y"})
-            channels += AnimationText{.target = name + "/" + turn + ".ANGLE",
+        for (const std::string sid : {"r", "y"})
+            channels += AnimationText{.target = name + "/" + sid + ".ANGLE",
                                       .times = "0 1",
-                                      .values = turn == "r" ? "0 130000" : "0 91000",
-                                      .id = name + turn}
+                                      .values = sid == "r" ? "0 130000" : "0 91000",
+                                      .id = name + sid}
                             .text();
     }
     const Model model = loadText(collada(triangle() + animations(channels) + scene(nodes)));

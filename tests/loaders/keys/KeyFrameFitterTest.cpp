@@ -19,7 +19,7 @@ using testing::SizeIs;
 
 // The triangle is 1 by 1: its size is the square root of 2, and the default tolerance 1e-4 of that.
 constexpr double kAllowed = 1.5e-4;
-const char* const kTurn = "<rotate sid='r'>0 0 1 0</rotate>";
+const char* const kRotate = "<rotate sid='r'>0 0 1 0</rotate>";
 
 Model boxMoved(const std::string& stack, const std::string& body) {
     return loadText(boxWith(stack, animations(body)));
@@ -50,13 +50,13 @@ TEST(KeyFrameFitterTest, keysThatTheirNeighboursReproduceAreLeftOut) {
 
 TEST(KeyFrameFitterTest, aFullTurnInTwoKeysTurnsAllTheWay) {
     for (const char* angles : {"0 360", "0 -360", "0 1440", "90 720"}) {
-        const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 2", angles}.text());
+        const Model model = boxMoved(kRotate, AnimationText{"box/r.ANGLE", "0 2", angles}.text());
         EXPECT_LT(largestError(model), kAllowed) << angles;
     }
 }
 
 TEST(KeyFrameFitterTest, neighbouringRotationsAreOnOneSideOfTheSphere) {
-    const std::string stack = std::string(kTurn) + "<rotate sid='y'>0 1 0 0</rotate>";
+    const std::string stack = std::string(kRotate) + "<rotate sid='y'>0 1 0 0</rotate>";
     const Model model = boxMoved(
         stack,
         AnimationText{.target = "box/r.ANGLE", .times = "0 2", .values = "0 1200", .id = "r"}.text() +
@@ -192,7 +192,7 @@ TEST(KeyFrameFitterTest, mixedEulerAnglesStayWithinTheTolerance) {
     EXPECT_LT(keyCount(model), 60u) << "as many as 30 Hz";
 }
 
-// One angle on straight lines is known to turn evenly, unless it swings something around, or there are two of them.
+// One angle on straight lines is known to rotate evenly, unless it swings a translation around, or there are two of them.
 TEST(KeyFrameFitterTest, anAngleBetweenShiftsAndScalesStaysWithinTheTolerance) {
     const std::string shift = "<translate sid='t'>1 2 3</translate>";
     const std::string scale = "<scale sid='s'>1 2 3</scale>";
@@ -203,12 +203,13 @@ TEST(KeyFrameFitterTest, anAngleBetweenShiftsAndScalesStaysWithinTheTolerance) {
     const std::string scales =
         AnimationText{.target = "box/s.Y", .times = "0 2 3", .values = "1 3 -2", .id = "scale"}.text();
     for (const std::string& stack :
-         {shift + kTurn, shift + kTurn + scale, kTurn + shift + scale, shift + scale + kTurn})
+         {shift + kRotate, shift + kRotate + scale, kRotate + shift + scale, shift + scale + kRotate})
         for (const std::string& body : {angle, angle + shifts, angle + scales, angle + shifts + scales}) {
             const Model model = boxMoved(stack, body);
             EXPECT_LT(largestError(model), 3 * kAllowed) << stack << body;
         }
-    EXPECT_EQ(keyCount(boxMoved(shift + kTurn, angle)), 4u);  // the turn by 210 degrees takes one between
+    EXPECT_EQ(keyCount(boxMoved(shift + kRotate, angle)),
+              4u);  // the rotation by 210 degrees takes one between
 }
 
 TEST(KeyFrameFitterTest, smoothCurvesTakeFewerKeysThanThirtyAFrameRate) {
@@ -216,7 +217,7 @@ TEST(KeyFrameFitterTest, smoothCurvesTakeFewerKeysThanThirtyAFrameRate) {
     swing.interpolations = "BEZIER";
     swing.outTangents = "0.33 0 1.33 40 2.33 0 3.33 -40 4.33 0";
     swing.inTangents = "-0.33 0 0.67 40 1.67 0 2.67 -40 3.67 0";
-    const Model model = boxMoved(kTurn, swing.text());
+    const Model model = boxMoved(kRotate, swing.text());
     EXPECT_LT(largestError(model), kAllowed);
     EXPECT_LT(keyCount(model), 40u);
 }
@@ -237,7 +238,7 @@ TEST(KeyFrameFitterTest, bakedKeysOfASmoothCurveBecomeFewer) {
         times += std::to_string(i / 30.0) + " ";
         values += std::to_string(30.0 * std::sin(i / 30.0)) + " ";
     }
-    const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", times, values}.text());
+    const Model model = boxMoved(kRotate, AnimationText{"box/r.ANGLE", times, values}.text());
     EXPECT_LT(largestError(model), kAllowed);
     EXPECT_LT(keyCount(model), 121u);
 }
@@ -269,7 +270,7 @@ TEST(KeyFrameFitterTest, stepsBetweenLinesAndCurvesKeepTheirKinds) {
     mixed.interpolations = "LINEAR STEP BEZIER LINEAR";
     mixed.outTangents = "0 0 0 0 2.3 60 0 0";
     mixed.inTangents = "0 0 0 0 0 0 2.9 -80";
-    const Model model = boxMoved(kTurn, mixed.text());
+    const Model model = boxMoved(kRotate, mixed.text());
     EXPECT_LT(largestError(model), kAllowed);
 }
 
@@ -286,7 +287,7 @@ TEST(KeyFrameFitterTest, shearMirroringAndFlatteningBecomeMatrixKeys) {
     EXPECT_LT(largestError(mirror), kAllowed);
 
     const Model grow = boxMoved(
-        std::string(kTurn) + "<scale sid='s'>1 1 1</scale>",
+        std::string(kRotate) + "<scale sid='s'>1 1 1</scale>",
         AnimationText{.target = "box/s", .times = "0 1", .values = "0 0 0 1 1 1", .params = "XYZ", .id = "s"}
                 .text() +
             AnimationText{.target = "box/r.ANGLE", .times = "0 1", .values = "0 90", .id = "r"}.text());
@@ -301,7 +302,7 @@ TEST(KeyFrameFitterTest, aConstantMirrorIsAJointTransform) {
 }
 
 TEST(KeyFrameFitterTest, aMillionTurnsBetweenTwoKeysCostNoMillionKeys) {
-    const Model model = boxMoved(kTurn, AnimationText{"box/r.ANGLE", "0 1", "0 360000000"}.text());
+    const Model model = boxMoved(kRotate, AnimationText{"box/r.ANGLE", "0 1", "0 360000000"}.text());
     EXPECT_LT(model.animations.at(0).channels.at(0).keyFrames.size(), 10000u);
     ASSERT_EQ(model.diagnostics.size(), 1u);  // what that costs is said
     EXPECT_EQ(model.diagnostics[0].code, "WC0513");
@@ -311,7 +312,7 @@ TEST(KeyFrameFitterTest, aWiderToleranceTakesFewerKeys) {
     AnimationText swing{"box/r.ANGLE", "0 1", "0 80"};
     swing.interpolations = "CARDINAL";
     swing.times = "0 1 1.2 3", swing.values = "0 80 -60 5";
-    const std::string text = boxWith(kTurn, animations(swing.text()));
+    const std::string text = boxWith(kRotate, animations(swing.text()));
     LoadOptions loose;
     loose.tolerance = 1e-2;
     EXPECT_LT(keyCount(loadText(text, loose)), keyCount(loadText(text)));

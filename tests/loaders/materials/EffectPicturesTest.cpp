@@ -132,7 +132,7 @@ TEST(EffectPicturesTest, theChosenPictureGoesWhereDiffusePicturesAreOrOnEverythi
 TEST(EffectPicturesTest, bumpsAreHeightsWhereTheySaySoOrAreGrey) {
     struct Case {
         const char *kind, *picture;
-        bool turned;
+        bool converted;
     };
     for (const Case& c :
          {Case{"", "grey", true}, Case{"", "solid", false}, Case{"bumptype='NORMALMAP'", "grey", false},
@@ -141,8 +141,8 @@ TEST(EffectPicturesTest, bumpsAreHeightsWhereTheySaySoOrAreGrey) {
             "<bump " + std::string(c.kind) + "><texture texture='" + c.picture + "'/></bump>";
         const Model model = loadText(PaintedText{.extra = bump(element)}.text());
         const int texture = model.materials.at(0).slot(Slot::Bump).texture;
-        EXPECT_EQ(texture, c.turned ? 1 : 0) << element;
-        if (c.turned) {
+        EXPECT_EQ(texture, c.converted ? 1 : 0) << element;
+        if (c.converted) {
             EXPECT_GT(model.textures.at(1).image->rgba[2], 128) << "normals point out of the surface";
         }
     }

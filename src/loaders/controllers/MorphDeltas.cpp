@@ -1,4 +1,4 @@
-#include "loaders/controllers/MorphLoader.h"
+#include "loaders/controllers/MorphDeltas.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace walkcycle {
 namespace {
 
 // A target with the base's polygons has one corner for each of the base's.
-std::vector<glm::vec3> normalsByCorner(const LoadedMesh& base, const LoadedMesh& target) {
+std::vector<glm::vec3> normalDeltasByCorner(const LoadedMesh& base, const LoadedMesh& target) {
     std::vector<glm::vec3> deltas(base.mesh.vertexCount(), glm::vec3(0.0f));
     for (std::size_t c = 0; c < base.cornerVertices.size(); ++c) {
         const std::uint32_t vertex = base.cornerVertices[c], its = target.cornerVertices[c];
@@ -31,7 +31,7 @@ bool hasSameCorners(const LoadedMesh& base, const LoadedMesh& target) {
            target.faces.cornerPositions == base.faces.cornerPositions;
 }
 
-std::vector<glm::vec3> normalsByPosition(const LoadedMesh& base, const LoadedMesh& target) {
+std::vector<glm::vec3> normalDeltasByPosition(const LoadedMesh& base, const LoadedMesh& target) {
     std::vector<glm::vec3> deltas(base.mesh.vertexCount(), glm::vec3(0.0f));
     for (std::size_t v = 0; v < deltas.size(); ++v) {
         const std::uint32_t position = base.mesh.vertexPositions[v];
@@ -43,7 +43,8 @@ std::vector<glm::vec3> normalsByPosition(const LoadedMesh& base, const LoadedMes
 }
 
 // How made normals would turn when the base's polygons are laid through the target's positions.
-std::vector<glm::vec3> normalsByShape(const LoadedMesh& base, const std::vector<glm::vec3>& positionDeltas) {
+std::vector<glm::vec3> normalDeltasByShape(const LoadedMesh& base,
+                                           const std::vector<glm::vec3>& positionDeltas) {
     std::vector<glm::vec3> deformed = base.mesh.positions;
     for (std::size_t i = 0; i < deformed.size(); ++i) deformed[i] += positionDeltas[i];
     const std::vector<glm::vec3> before = smoothNormals(base.faces, base.mesh.positions, base.mesh.positions);
@@ -64,7 +65,7 @@ glm::vec3 difference(const glm::vec3& to, const glm::vec3& from) {
 
 }  // namespace
 
-MorphTarget makeMorphTarget(const LoadedMesh& base, const LoadedMesh& target, MorphMethod method,
+MorphTarget makeMorphDeltas(const LoadedMesh& base, const LoadedMesh& target, MorphMethod method,
                             std::string id) {
     MorphTarget result;
     result.id = std::move(id);
@@ -79,11 +80,11 @@ MorphTarget makeMorphTarget(const LoadedMesh& base, const LoadedMesh& target, Mo
     // The normals of a RELATIVE target are differences, if anything; what the shape does is clear.
     const bool own = method == MorphMethod::Normalized && target.mesh.positions.size() >= from.size();
     if (own && target.hasNormals && hasSameCorners(base, target))
-        result.normalDeltas = normalsByCorner(base, target);
+        result.normalDeltas = normalDeltasByCorner(base, target);
     else if (own && !target.positionNormals.empty())
-        result.normalDeltas = normalsByPosition(base, target);
+        result.normalDeltas = normalDeltasByPosition(base, target);
     else
-        result.normalDeltas = normalsByShape(base, result.positionDeltas);
+        result.normalDeltas = normalDeltasByShape(base, result.positionDeltas);
     return result;
 }
 
