@@ -16,10 +16,12 @@
 namespace walkcycle {
 namespace {
 
-// A hull may be asked of a geometry that is itself a hull, but not for ever.
+// <convex_mesh convex_hull_of> may name a geometry with a <convex_mesh> of its own. So many may follow each
+// other; more are taken for a loop.
 constexpr int kMostHulls = 16;
 
-// The element that holds the geometry's sources and primitives: <mesh>, or what stands for it.
+// The element that holds the sources and primitives: <mesh>, <convex_mesh>, or the mesh of the geometry whose
+// convex hull is asked for (the hull itself is not computed). Nothing, and reported, if there is none.
 XmlNode findMesh(XmlNode geometry, const LoadContext& context, int hulls = 0) {
     if (const XmlNode mesh = geometry.child("mesh")) return mesh;
     if (const XmlNode convex = geometry.child("convex_mesh")) {

@@ -6,8 +6,9 @@
 
 namespace walkcycle {
 
-// Reads a <geometry>: all its primitives, triangulated, corners joined into vertices, missing normals made.
-// Reports faults and gives what can be drawn, possibly a mesh without parts (a morph target may have no primitives).
+// Reads a <geometry> (COLLADA 1.4.1, chapter 5) and makes its mesh: polygons are cut into triangles, equal
+// corners joined into vertices, and missing normals computed. Faults are reported. The result is what can be
+// drawn in spite of them: possibly a mesh without parts, such as a morph target without primitives.
 LoadedMesh loadGeometry(XmlNode geometry, const LoadContext& context);
 
 }  // namespace walkcycle

@@ -11,17 +11,18 @@ namespace walkcycle {
 
 inline constexpr std::uint32_t kNoCorner = ~std::uint32_t{0};
 
-// What morphs and skins need to know of a mesh beside what is drawn.
+// A mesh, and what the loaders of morphs and skins need to know of it beside what is drawn.
 struct LoadedMesh {
     MeshData mesh;
-    // Per position, where <vertices> itself has a NORMAL input; else empty.
+    // Per position, if <vertices> itself has a NORMAL input; otherwise empty.
     std::vector<glm::vec3> positionNormals;
-    // The polygons as the file has them, before they are cut into triangles, and which vertex each of their corners
-    // became (kNoVertex for those that are left out). A mesh with the same corners finds its own by this.
+    // The polygons of the file before they are cut into triangles.
     MeshFaces faces;
+    // Per corner of `faces`: its vertex, or kNoVertex if it was left out. A morph target with the same
+    // corners as its base finds the vertex of each corner here.
     std::vector<std::uint32_t> cornerVertices;
-    bool hasNormals = false;  // the normals are the file's own
-    // Per index of the mesh, if it has no normals: the corner, kNoCorner for lines.
+    bool hasNormals = false;  // whether the file has normals; if not, they are computed
+    // Only if the file has no normals: per index of the mesh the corner of `faces`, kNoCorner for lines.
     std::vector<std::uint32_t> indexCorners;
 };
 

@@ -19,9 +19,10 @@
 namespace walkcycle {
 namespace {
 
-// Shorter normals than this have no direction that means anything.
+// A normal with a smaller squared length has no meaningful direction, and counts as missing.
 constexpr float kLeastNormalSquared = 1e-20f;
-// Corners are on one line where single precision cannot tell them from it.
+// A polygon counts as a line if the square of its area is below this share of the square of the largest area
+// that its extent allows: single precision cannot tell the two apart.
 constexpr double kFlatSquared = 1e-14;
 
 std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
@@ -40,11 +41,12 @@ public:
           attributes_(primitives),
           joiner_(attributes_.count(), positionsOf(primitives), cornersOf(primitives)) {}
 
-    // Positions first, of all primitives: faces of different materials smooth into each other.
+    // All primitives' positions are added before the first part, because faces of different materials smooth
+    // into each other.
     void addPositions(const PrimitiveCorners& primitive);
     void addPart(const PrimitiveCorners& primitive);
     void finish();
-    // Where the entries of a source begin in MeshData::positions.
+    // The index in MeshData::positions of the first entry of a source. Appends the source if it is new.
     std::uint32_t positionBase(const FloatSource& source);
 
 private:
@@ -70,30 +72,32 @@ private:
     VertexJoiner joiner_;
     std::vector<std::pair<const FloatSource*, std::uint32_t>> positionSources_;
     std::size_t firstCorner_ = 0, firstRing_ = 0;  // of the current primitive, in loaded_.faces
-    // Per position: one more than the corner that was joined there last, of those with nothing wrong about them.
+    // Per position: the last corner that became a vertex there, plus one; 0 if there is none. Corners with an
+    // index out of range or without a usable normal do not count.
     std::vector<std::uint32_t> lastJoined_;
     BadIndices badPositions_;
     std::size_t zeroNormals_ = 0, flatFaces_ = 0;
-    std::vector<glm::vec3> madeNormals_;  // per corner of the faces; made when the first is needed
+    std::vector<glm::vec3> madeNormals_;  // per corner of the faces; computed when the first one is needed
     Triangulation triangulation_;
-    std::vector<glm::vec3> points_;  // of the polygon being cut, with the corners that they are
+    std::vector<glm::vec3> points_;  // the polygon that is cut at the moment, and the corner of each point
     std::vector<std::uint32_t> pointCorners_, ringEnds_;
 };
 
-// All position sources of a mesh stand one after another in MeshData::positions. There is hardly ever a second.
+// Nearly every mesh has one position source. The entries of a second one follow those of the first.
 std::uint32_t MeshAssembler::positionBase(const FloatSource& source) {
     for (const auto& [known, base] : positionSources_)
         if (known == &source) return base;
     const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
     positionSources_.emplace_back(&source, base);
-    mesh_.positions.resize(base + source.count(), glm::vec3(0.0f));  // two-dimensional ones lie in z = 0
+    mesh_.positions.resize(base + source.count(), glm::vec3(0.0f));  // two-dimensional positions get z = 0
     for (std::size_t i = 0; i < source.count(); ++i)
         std::copy_n(source[i], std::min<std::size_t>(source.width, 3), &mesh_.positions[base + i].x);
     mesh_.positionUsed.resize(mesh_.positions.size(), false);
     return base;
 }
 
-// `count` is how many positions the primitive's source has.
+// The corner's position within its source, which has `count` positions; kNoPosition, and counted, if the
+// index is out of range.
 std::uint32_t MeshAssembler::positionAt(const PrimitiveCorners& primitive, std::size_t corner,
                                         std::size_t count) {
     const std::int32_t index = primitive.corner(corner)[primitive.inputs.position.offset];
@@ -156,7 +160,8 @@ void MeshAssembler::addLines(const PrimitiveCorners& primitive) {
 
 void MeshAssembler::addFaces(const PrimitiveCorners& primitive) {
     const std::span<const Ring> rings(loaded_.faces.rings);
-    // A ring counts as much again as reading it did (see LoadProgress).
+    // Joining and cutting a ring counts as much work as reading it did, measured by the bytes of its text
+    // (see LoadProgress).
     const double workOfRing =
         textBytes(primitive) / static_cast<double>(std::max<std::size_t>(1, primitive.rings.size()));
     lastJoined_.resize(mesh_.positions.size(), 0);
@@ -164,7 +169,8 @@ void MeshAssembler::addFaces(const PrimitiveCorners& primitive) {
         const std::size_t end = endOfFace(primitive.rings, r);
         const std::size_t first = r;
         for (; r < end; ++r) {
-            // A polygon without its outline is nothing; one without a hole is still a polygon.
+            // If the outline has a corner without a position, the polygon is skipped; if a hole has one, only
+            // that hole.
             const bool whole =
                 joinRing(primitive, primitive.rings[r], firstCorner_ + primitive.rings[r].firstCorner);
             if (!whole && r == first) break;
@@ -177,7 +183,7 @@ void MeshAssembler::addFaces(const PrimitiveCorners& primitive) {
     firstRing_ += primitive.rings.size();
 }
 
-// Makes vertices of a ring's corners, unless the position of one is not there.
+// Makes the vertices of a ring's corners. Returns false, and makes none, if a corner has no position.
 bool MeshAssembler::joinRing(const PrimitiveCorners& primitive, const Ring& ring, std::size_t meshCorner) {
     const std::uint32_t* positions = loaded_.faces.cornerPositions.data() + meshCorner;
     if (std::find(positions, positions + ring.cornerCount, kNoPosition) != positions + ring.cornerCount)
@@ -189,7 +195,8 @@ bool MeshAssembler::joinRing(const PrimitiveCorners& primitive, const Ring& ring
     return true;
 }
 
-// Most corners repeat all indices of the one before them at their position, and so are the same vertex.
+// The vertex of a corner. Fast path: most corners have the same indices as the last corner at their position,
+// and so are the same vertex.
 std::uint32_t MeshAssembler::vertexOf(const PrimitiveCorners& primitive, std::size_t corner,
                                       std::size_t meshCorner) {
     const std::uint32_t position = loaded_.faces.cornerPositions[meshCorner];
@@ -207,7 +214,7 @@ std::uint32_t MeshAssembler::vertexOf(const PrimitiveCorners& primitive, std::si
     return joiner_.add(position, attributes);
 }
 
-// False where the corner has none that can be used, and gets its face's.
+// Returns false if the corner has no usable normal. Then writes the computed normal of the corner instead.
 bool MeshAssembler::useNormal(float* normal, std::size_t meshCorner) {
     if (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] > kLeastNormalSquared)
         return true;
@@ -217,14 +224,15 @@ bool MeshAssembler::useNormal(float* normal, std::size_t meshCorner) {
     return false;
 }
 
-// Appends the triangles of a polygon (its outline and holes, all joined).
+// Appends the triangles of a polygon. `rings` are its outline and its holes, whose corners are vertices
+// already.
 void MeshAssembler::cutFace(std::span<const Ring> rings) {
     const Ring& outline = rings[0];
     const std::uint32_t* vertices = loaded_.cornerVertices.data();
     const std::uint32_t c0 = outline.firstCorner;
     bool isPlain = false;
     if (!hasArea(outline, isPlain)) ++flatFaces_;
-    // Nearly all are triangles and plain quads.
+    // Fast path: nearly all polygons are triangles and plain quads.
     if (rings.size() == 1 && outline.cornerCount == 3) return addIndices(std::array{c0, c0 + 1, c0 + 2});
     if (rings.size() == 1 && outline.cornerCount == 4 && isPlain)
         return addIndices(std::array{c0, c0 + 1, c0 + 2, c0, c0 + 2, c0 + 3});
@@ -232,7 +240,7 @@ void MeshAssembler::cutFace(std::span<const Ring> rings) {
     pointCorners_.clear();
     ringEnds_.clear();
     for (const Ring& ring : rings) {
-        if (vertices[ring.firstCorner] == kNoVertex) continue;  // a hole that has a corner without a position
+        if (vertices[ring.firstCorner] == kNoVertex) continue;  // a hole with a corner that has no position
         for (std::uint32_t c = ring.firstCorner; c < ring.firstCorner + ring.cornerCount; ++c) {
             points_.push_back(mesh_.positions[loaded_.faces.cornerPositions[c]]);
             pointCorners_.push_back(c);
@@ -250,14 +258,14 @@ void MeshAssembler::addIndices(std::span<const std::uint32_t> corners) {
         loaded_.indexCorners.insert(loaded_.indexCorners.end(), corners.begin(), corners.end());
 }
 
-// Whether a polygon is more than a line. It is plain where the first and the last triangle of a fan face where the whole
-// does: then a quad may be cut from its first corner to its third.
+// Whether a polygon has an area (see kFlatSquared). Sets isPlain if the first and the last triangle of its
+// fan face the same way as the whole polygon: then a quad may be cut from its first corner to its third.
 bool MeshAssembler::hasArea(const Ring& ring, bool& isPlain) {
     const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + ring.firstCorner;
     const glm::dvec3 origin(mesh_.positions[corners[0]]);
     glm::dvec3 edge = glm::dvec3(mesh_.positions[corners[1]]) - origin;
     glm::dvec3 area(0.0), first(0.0), last(0.0);
-    double size = glm::dot(edge, edge);  // the area that corners so far apart could have
+    double size = glm::dot(edge, edge);  // squared extent of the polygon
     for (std::uint32_t i = 2; i < ring.cornerCount; ++i) {
         const glm::dvec3 next = glm::dvec3(mesh_.positions[corners[i]]) - origin;
         last = glm::cross(edge, next);
@@ -290,7 +298,7 @@ void MeshAssembler::finish() {
 void buildMesh(const PrimitiveInputs& vertices, const std::vector<PrimitiveCorners>& primitives,
                LoadedMesh& loaded, const LoadContext& context) {
     MeshAssembler assembler(primitives, loaded, context);
-    // Once for all: a reserve() for each of many primitives would copy what there is each time.
+    // Reserves once for all primitives: a reserve() per primitive would copy what is there each time.
     std::size_t rings = 0;
     for (const PrimitiveCorners& primitive : primitives) rings += primitive.rings.size();
     loaded.mesh.indices.reserve(cornersOf(primitives));

@@ -9,9 +9,10 @@
 
 namespace walkcycle {
 
-// Makes what is drawn of the primitives that were read: checks every index, joins equal corners into vertices, cuts
-// polygons into triangles, and makes the normals that the file does not have. Fills all of LoadedMesh but id, name,
-// positionNormals and the file's hints.
+// Makes a mesh from the primitives that were read: checks every index, joins equal corners into vertices,
+// cuts polygons into triangles, and computes the normals that the file does not have. `vertices` are the
+// inputs of the mesh's <vertices>. Fills all of LoadedMesh but positionNormals and the mesh's id, name and
+// doubleSided.
 void buildMesh(const PrimitiveInputs& vertices, const std::vector<PrimitiveCorners>& primitives,
                LoadedMesh& loaded, const LoadContext& context);
 

@@ -11,7 +11,7 @@
 namespace walkcycle {
 namespace {
 
-// An <asset> on the geometry speaks another unit or another up axis than the document.
+// Converts a geometry whose own <asset> has another unit or up axis than the root document.
 void convert(LoadedMesh& loaded, const glm::mat4& matrix) {
     const glm::mat3 linear(matrix);
     const auto converted = [&](const glm::vec3& normal) {
@@ -25,6 +25,7 @@ void convert(LoadedMesh& loaded, const glm::mat4& matrix) {
     for (glm::vec3& normal : loaded.positionNormals) normal = converted(normal);
 }
 
+// Appends a copy of an entry; attributes that the mesh does not have stay empty.
 template <typename T>
 void repeatEntry(std::vector<T>& entries, std::size_t entry) {
     if (entry < entries.size()) entries.push_back(T(entries[entry]));
@@ -39,6 +40,7 @@ std::uint32_t repeatVertex(MeshData& mesh, std::uint32_t vertex) {
     return static_cast<std::uint32_t>(repeated);
 }
 
+// Gives each corner a vertex of its own, as MadeNormals needs it.
 void separateCorners(LoadedMesh& loaded) {
     std::vector<bool> taken(loaded.mesh.vertexCount(), false);
     for (std::uint32_t& vertex : loaded.cornerVertices) {

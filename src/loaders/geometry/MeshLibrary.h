@@ -13,23 +13,28 @@
 
 namespace walkcycle {
 
-// The geometries of a load, each read once however often it is instanced or morphed to.
+// The geometries of one load. Each is read once, even if several instances or morphs use it.
 class MeshLibrary {
 public:
     MeshLibrary(const LoadContext& context, const Asset& asset, XmlNode rootCollada)
         : context_(context), asset_(asset), rootCollada_(rootCollada) {}
 
+    // Reads a <geometry> on the first call, in the unit and up axis of the root document's <asset>.
     const LoadedMesh& load(XmlNode geometry);
 
-    // To be told of each mesh that something deforms: where the file has no normals, those of the new shape are made.
+    // Prepares a mesh for deformers: if the file has no normals for it, fills MeshData::madeNormals, so that
+    // they can be computed for each deformed shape. Call it for each mesh that a controller deforms.
     void willDeform(XmlNode geometry);
 
-    // Meshes, and what is made for each of their positions, cost memory that one source shared by many can multiply.
+    // Counts positions against LoadLimits::maxPositions, and throws LoadError when there are too many. Skins
+    // and morph targets count, too: they hold data for each position of their mesh, and a small file can name
+    // one mesh many times.
     void countPositions(std::size_t count, XmlNode where);
 
-    // Its index in Model::meshes, where moveInto puts it: the meshes that are drawn, not those only morphed to.
+    // The geometry's index in Model::meshes after moveInto(). Only meshes that are drawn get one, not those
+    // that are only morph targets.
     int drawn(XmlNode geometry);
-    void moveInto(Model& model);
+    void moveInto(Model& model);  // leaves the drawn meshes empty here
 
 private:
     const LoadContext& context_;

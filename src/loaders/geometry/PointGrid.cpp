@@ -17,7 +17,7 @@ void PointGrid::add(const glm::dvec2& point, std::uint32_t name) {
 }
 
 void PointGrid::build() {
-    // About one point per cell; a few points are looked at all together.
+    // About one point per cell. A grid of few points has one cell.
     side_ =
         points_.size() < 32 ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(points_.size())));
     low_ = points_.empty() ? glm::dvec2(0.0) : points_.front().at;

@@ -8,15 +8,16 @@
 
 namespace walkcycle {
 
-// Points of the plane, sorted into square cells, so that those near a place are found without looking at all.
+// Points of the plane in a grid of square cells. A search for the points in a box looks only at the cells
+// that the box touches.
 class PointGrid {
 public:
     void clear();
-    void add(const glm::dvec2& point, std::uint32_t name);
-    void build();  // after the last add()
+    void add(const glm::dvec2& point, std::uint32_t name);  // `name`: what any() calls the point
+    void build();                                           // after the last add()
 
-    // Calls found(name) for the points in cells that the box touches, until it returns true; says whether it did.
-    // `steps` is raised by the work done.
+    // Calls found(name) for the points of each cell that the box [low, high] touches, until a call returns
+    // true. Returns whether one did. Adds the number of points and cells looked at to `steps`.
     template <typename Found>
     bool any(const glm::dvec2& low, const glm::dvec2& high, std::uint64_t& steps, Found found) const;
 
@@ -33,8 +34,8 @@ private:
     }
 
     std::vector<Point> points_;
-    std::vector<std::uint32_t> names_;  // of the points, cell after cell
-    std::vector<std::size_t> starts_;   // per cell: its first in names_; one more at the end
+    std::vector<std::uint32_t> names_;  // of the points, sorted by cell
+    std::vector<std::size_t> starts_;   // per cell: index of its first name; then the number of names
     std::size_t side_ = 1;              // cells per row and column
     glm::dvec2 low_{0.0}, perUnit_{0.0};
 };
@@ -42,7 +43,7 @@ private:
 template <typename Found>
 bool PointGrid::any(const glm::dvec2& low, const glm::dvec2& high, std::uint64_t& steps, Found found) const {
     for (std::size_t y = row(low.y); y <= row(high.y); ++y) {
-        // The cells of a row lie side by side, so do their points.
+        // The names of neighbouring cells of a row are neighbours in names_.
         const std::size_t first = starts_[y * side_ + column(low.x)];
         const std::size_t end = starts_[y * side_ + column(high.x) + 1];
         steps += end - first + 1;

@@ -10,10 +10,10 @@
 namespace walkcycle {
 namespace {
 
-// Sets may share their indices, so a short file could ask for any number of them.
+// Inputs may share their indices and sources, so a short file could name millions of sets.
 constexpr std::size_t kMaxTexCoordSets = 32;
 
-// Says where a source is so narrow or wide that its numbers hardly mean what the semantic says.
+// Reports a source with too few or too many numbers per entry for its semantic.
 void checkWidth(const Input& input, const FloatSource& source, std::size_t least, std::size_t most,
                 const LoadContext& context) {
     if (source.width >= least && source.width <= most) return;
@@ -35,7 +35,7 @@ std::shared_ptr<const FloatSource> readFloats(const Input& input, std::size_t le
     return source;
 }
 
-// Sets are told apart by their number; where a file repeats a number or has none, the next free one is taken.
+// Each set needs a number of its own. If `wanted` is taken, returns the lowest free number.
 int freeSet(const std::vector<CornerInput>& taken, int wanted) {
     const auto isTaken = [&](int set) {
         return std::any_of(taken.begin(), taken.end(), [&](const CornerInput& t) { return t.set == set; });
@@ -46,7 +46,8 @@ int freeSet(const std::vector<CornerInput>& taken, int wanted) {
     return set;
 }
 
-// The inputs that stand on a primitive and in its <vertices> alike.
+// Adds one <input> of a primitive or of <vertices>. The first input of a semantic counts; each TEXCOORD is a
+// set.
 void addInput(PrimitiveInputs& inputs, const Input& input, std::size_t offset, const LoadContext& context) {
     if (input.semantic == "POSITION" && !inputs.position.source) {
         inputs.position = {readFloats(input, 2, 4, NumberFaults::Error, context), offset, 0};
@@ -71,7 +72,7 @@ bool hasSemantic(XmlNode element, std::string_view semantic) {
     return false;
 }
 
-// What <vertices> offer, as far as the primitive itself does not.
+// Adds the inputs of <vertices> that the primitive does not have itself.
 void addVertices(PrimitiveInputs& inputs, const PrimitiveInputs& vertices, std::size_t offset) {
     const auto takeFrom = [&](CornerInput& own, const CornerInput& theirs) {
         if (!own.source) own = {theirs.source, offset, theirs.set};
@@ -83,11 +84,13 @@ void addVertices(PrimitiveInputs& inputs, const PrimitiveInputs& vertices, std::
         inputs.texCoords.push_back({input.source, offset, freeSet(inputs.texCoords, input.set)});
 }
 
-// A VERTEX input leads to <vertices>. One that names the positions' <source> itself is wrong, but clear.
+// Adds what the VERTEX input refers to: <vertices>. If it refers to a <source>, it is reported, and read as
+// the POSITION.
 void addVertexInput(PrimitiveInputs& inputs, const Input& input, const Vertices& vertices,
                     const LoadContext& context) {
     const auto offset = static_cast<std::size_t>(input.offset);
-    // A mesh has one <vertices> only, so a reference that leads nowhere (reported) can mean no other.
+    // A reference that leads nowhere is reported already. A mesh has only one <vertices>, so that one is
+    // meant.
     if (!input.source || input.source == vertices.element)
         return addVertices(inputs, vertices.inputs, offset);
     if (input.source.is("vertices"))  // those of another mesh
@@ -117,7 +120,8 @@ PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const Vertices& vertices,
     const std::vector<Input> all = readInputs(primitive, context.documents, context.diagnostics);
     for (const Input& input : all)
         inputs.stride = std::max(inputs.stride, static_cast<std::size_t>(input.offset) + 1);
-    // What stands on the primitive itself goes before what its <vertices> say of the same kind.
+    // The primitive's own inputs come first, because they win over inputs of <vertices> with the same
+    // semantic.
     for (const Input& input : all)
         if (input.semantic != "VERTEX")
             addInput(inputs, input, static_cast<std::size_t>(input.offset), context);

@@ -8,14 +8,15 @@
 
 namespace walkcycle {
 
-// One kind of data that corners have: where it comes from, and which of a corner's indices says which entry.
+// One <input> of a primitive: a corner's index number `offset` is an index into `source`.
 struct CornerInput {
-    std::shared_ptr<const FloatSource> source;  // null where the primitive has no such data
+    std::shared_ptr<const FloatSource> source;  // null if the primitive has no such input
     std::size_t offset = 0;
-    int set = 0;
+    int set = 0;  // number of the texture coordinate set
 };
 
-// What the <input>s of a primitive offer, those of its <vertices> included (they share the VERTEX input's index).
+// The <input>s of a primitive, together with those of its <vertices>, which are read by the index of the
+// VERTEX input (COLLADA 1.4.1, chapter 5, <input> (shared), <vertices>).
 struct PrimitiveInputs {
     CornerInput position;
     CornerInput normal;
@@ -23,6 +24,7 @@ struct PrimitiveInputs {
     std::vector<CornerInput> texCoords;  // one per set
     std::size_t stride = 1;              // indices per corner: one more than the largest offset
 
+    // A primitive without positions cannot be drawn.
     bool usable() const { return position.source != nullptr; }
 };
 
@@ -33,7 +35,8 @@ struct Vertices {
 };
 Vertices readVertices(XmlNode element, const LoadContext& context);
 
-// Reads the inputs of a <triangles>, <polylist>, ... Without positions (reported) the result is not usable.
+// Reads the inputs of a <triangles>, <polylist>, ... Faults are reported. If there are no positions, the
+// result is not usable().
 PrimitiveInputs readPrimitiveInputs(XmlNode primitive, const Vertices& vertices, const LoadContext& context);
 
 }  // namespace walkcycle

@@ -31,7 +31,8 @@ const KindName* kindOf(XmlNode element) {
     return found == kKinds.end() ? nullptr : &*found;
 }
 
-// Of a fan or a strip, which the reader cuts: which corner of its <p> the n-th of the cut-off triangles' or lines' was.
+// A fan or strip is cut into triangles or lines, whose corners are copies. Returns which corner of the <p>
+// was copied to `corner`.
 std::size_t cornerBeforeCut(Kind kind, std::size_t corner) {
     const std::size_t size = kind == Kind::Linestrips ? 2 : 3;
     const std::size_t ring = corner / size, nth = corner % size;
@@ -58,7 +59,7 @@ CornerLocation findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::
     return {primitive.element, primitive.element.line()};
 }
 
-// Reads one primitive; its members are what the steps share.
+// Reads the corners of one primitive. The members are what the steps share.
 class CornerReader {
 public:
     CornerReader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
@@ -98,12 +99,13 @@ public:
 private:
     std::size_t stride() const { return out_.inputs.stride; }
 
-    // Appends the numbers of a <p> or <h>, whole groups of corners only, and says how many corners that were.
+    // Appends the numbers of a <p> or <h>, without an incomplete group at the end. Returns the number of
+    // corners.
     std::size_t appendCorners(XmlNode p, std::size_t cornersPerGroup = 1) {
         const std::size_t before = out_.indices.size();
         faults_.clear();
         parseNumbers(p.rawText(joined_), out_.indices, faults_, pieceRead_);
-        if (!faults_.empty()) readInts(p, context_.diagnostics);  // says which, and in which line
+        if (!faults_.empty()) readInts(p, context_.diagnostics);  // again, to report each fault with its line
         const std::size_t numbers = out_.indices.size() - before;
         const std::size_t group = cornersPerGroup * stride();
         if (numbers % group != 0)
@@ -116,7 +118,7 @@ private:
         return corners;
     }
 
-    // <triangles> and <lines>: every `size` corners are one.
+    // <triangles> and <lines>: every `size` corners of a <p> are one face or line.
     void readRuns(std::size_t size) {
         for (XmlNode p : out_.element.children("p")) {
             const std::size_t first = out_.cornerCount();
@@ -141,7 +143,7 @@ private:
         held_ = sizes.size();
         std::size_t first = 0;
         std::uint64_t wanted = 0;
-        bool fits = true;  // where one does not, nobody knows where the next begins
+        bool fits = true;  // a polygon that does not fit ends the list: where the next one begins is unknown
         for (const std::int32_t size : sizes) {
             const auto count = static_cast<std::size_t>(std::max(size, 0));
             wanted += count;
@@ -156,7 +158,7 @@ private:
         out_.indices.resize(first * stride());
     }
 
-    // The primitives in which each <p> is a polygon, fan, strip or line of its own.
+    // <polygons>, <trifans>, <tristrips>, <linestrips>: each <p> is a polygon, fan, strip or line of its own.
     void readLists() {
         for (XmlNode child : out_.element.children()) {
             const bool holed = child.is("ph") && kind_ == Kind::Polygons;
@@ -185,7 +187,8 @@ private:
         }
     }
 
-    // Rewrites the corners from `first` on, a fan or strip, as one run of corners per triangle or line.
+    // Replaces the corners from `first` on, which are a fan or strip, by the corners of its triangles or
+    // lines.
     void cut(XmlNode p, std::size_t first, std::size_t corners) {
         const std::size_t size = kind_ == Kind::Linestrips ? 2 : 3;
         const auto from = out_.indices.begin() + static_cast<std::ptrdiff_t>(first * stride());
@@ -194,7 +197,7 @@ private:
         if (corners < size) return skip(p);
         for (std::size_t i = 0; i + size <= corners; ++i) {
             addRing(out_.cornerCount(), size, false);
-            const bool odd = i % 2 == 1;  // every second triangle of a strip turns the other way
+            const bool odd = i % 2 == 1;  // every second triangle of a strip is wound the other way
             if (kind_ == Kind::Linestrips) copy({i, i + 1});
             if (kind_ == Kind::Trifans) copy({0, i + 1, i + 2});
             if (kind_ == Kind::Tristrips) copy({odd ? i + 1 : i, odd ? i : i + 1, i + 2});
@@ -231,7 +234,7 @@ private:
         out_.rings.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(corners), hole});
     }
 
-    // `count` is redundant. It says nothing that the lists do not, but where they disagree, something was lost.
+    // The `count` attribute repeats what the lists say. If it differs, the file has lost something.
     void checkCount() {
         const std::string name(out_.element.name());
         if (!out_.element.has("count")) {
@@ -251,10 +254,10 @@ private:
     const LoadContext& context_;
     PieceRead pieceRead_;
     PrimitiveCorners out_;
-    std::uint64_t held_ = 0;  // faces, fans, strips or lines in the file
+    std::uint64_t held_ = 0;  // number of faces, fans, strips or lines that the lists hold
     std::size_t tooSmall_ = 0;
-    XmlNode firstTooSmall_;             // what said so
-    std::uint64_t polygonCorners_ = 0;  // of the current one, with its holes
+    XmlNode firstTooSmall_;             // the <p>, <h>, <ph> or <vcount> of the first one
+    std::uint64_t polygonCorners_ = 0;  // of the current polygon, with its holes
     std::string joined_;
     std::vector<NumberFault> faults_;
     std::vector<std::int32_t> strip_;

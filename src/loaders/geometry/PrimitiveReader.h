@@ -11,8 +11,9 @@
 
 namespace walkcycle {
 
-// One <triangles>, <polylist>, <polygons>, <trifans>, <tristrips>, <lines> or <linestrips>, in the same form
-// for all: rings of corners. Fans and strips are cut into their triangles and lines.
+// The corners of one <triangles>, <polylist>, <polygons>, <trifans>, <tristrips>, <lines> or <linestrips>
+// (COLLADA 1.4.1, chapter 5). All have the same form here: rings of corners. Fans and strips are cut into
+// triangles or lines.
 struct PrimitiveCorners {
     XmlNode element;
     Primitive kind = Primitive::Triangles;
@@ -24,22 +25,23 @@ struct PrimitiveCorners {
     const std::int32_t* corner(std::size_t c) const { return indices.data() + c * inputs.stride; }
 };
 
-// Whether an element of this name is a primitive, lines included.
+// Whether the element is one of these.
 bool isPrimitive(XmlNode element);
 
-// Reads the indices of the corners without looking them up: they may be out of range. If <p>, <vcount> and
-// count disagree, reports that and returns the complete faces.
+// Reads the indices of the corners. They are not checked, and may be out of range. If <p>, <vcount> and
+// `count` disagree, reports it and returns the faces that are complete.
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context);
 
-// How long the text of the corners is, in bytes; without that of polygons with holes.
+// The length of the primitive's index text in bytes, without polygons with holes (<ph>).
 double textBytes(const PrimitiveCorners& primitive);
 
-// Where a corner's index stands in the file, for messages: the <p> or <h>, and the line. For fans and strips,
-// that is the index from which the triangle's or line's corner was made.
+// Where one index of a corner is written in the file, for messages.
 struct CornerLocation {
-    XmlNode element;
-    int line = 0;
+    XmlNode element;  // <p> or <h>; the primitive if the index is not found
+    int line = 0;     // 1-based
 };
+// Finds the index number `offset` of a corner. For fans and strips, that is the index of the <p> from which
+// the corner of a triangle or line was copied.
 CornerLocation findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset);
 
 }  // namespace walkcycle

@@ -12,15 +12,15 @@
 namespace walkcycle {
 namespace {
 
-// A polygon may cost this many looks at its corners, per corner. Honest ones need fewer; for those made to be slow the
-// rest is cut without looking.
+// The limit on the work for one polygon, in corners looked at: so many per corner, and so many more. Real
+// polygons need fewer. What a polygon that exceeds it has left is cut into a fan.
 constexpr std::uint64_t kStepsPerCorner = 200, kStepsToBegin = 20000;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-// Positive where a, b, c turn left.
+// Twice the signed area of the triangle a, b, c: positive if its corners are counterclockwise.
 double orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return cross(b - a, c - b);
 }
@@ -40,8 +40,8 @@ double areaOf(std::span<const glm::dvec2> ring) {
 
 glm::dvec3 areaVector(std::span<const glm::vec3> ring) {
     glm::dvec3 area(0.0);
-    const glm::dvec3 origin(
-        ring[0]);  // near the polygon, so that little is lost far from the document's origin
+    // Relative to a corner, so that a polygon far from the document's origin loses no precision.
+    const glm::dvec3 origin(ring[0]);
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
         area += glm::cross(glm::dvec3(ring[i]) - origin, glm::dvec3(ring[i + 1]) - origin);
     return area;
@@ -65,7 +65,7 @@ const std::vector<std::uint32_t>& Triangulation::cut(std::span<const glm::vec3> 
     return triangles_;
 }
 
-// Drops the axis that the polygon faces most; the outline then turns left (counterclockwise).
+// Projects the points along the axis that the polygon faces most. The outline is counterclockwise afterwards.
 void Triangulation::flatten(std::span<const glm::vec3> points, std::uint32_t outlineEnd) {
     const glm::dvec3 normal = areaVector(points.first(outlineEnd));
     const glm::dvec3 size = glm::abs(normal);
@@ -80,7 +80,8 @@ void Triangulation::flatten(std::span<const glm::vec3> points, std::uint32_t out
         flat_.push_back({static_cast<double>(point[x]), static_cast<double>(point[y])});
 }
 
-// Whether every corner turns left, and all of them together once around.
+// Whether every corner is convex, and the outline goes round only once (x changes its direction at most
+// twice).
 bool Triangulation::isConvex() const {
     int reversals = 0;
     bool rightward = false;
@@ -102,7 +103,8 @@ void Triangulation::fan(std::uint32_t corner) {
     }
 }
 
-// Makes corners of points [begin, end), joined to a ring of the asked direction; gives the first one's index.
+// Makes a linked ring of points [begin, end), in reverse order unless `asGiven`. Returns the index of its
+// first corner.
 std::uint32_t Triangulation::link(std::uint32_t begin, std::uint32_t end, bool asGiven) {
     const std::uint32_t first = static_cast<std::uint32_t>(corners_.size());
     const std::uint32_t count = end - begin;
@@ -119,9 +121,10 @@ double Triangulation::orientationAt(std::uint32_t corner) const {
     return orientation(corners_[c.previous].at, c.at, corners_[c.next].at);
 }
 
-// Holes are joined from right to left, so that a bridge to the right never meets one that is still to come.
+// The holes are joined to the outline from right to left. A bridge goes to the right, so it cannot cross a
+// hole that is not joined yet.
 void Triangulation::joinHoles(std::span<const std::uint32_t> ringEnds) {
-    std::vector<std::uint32_t> holes;  // the rightmost corner of each
+    std::vector<std::uint32_t> holes;  // the rightmost corner of each hole
     for (std::size_t ring = 1; ring < ringEnds.size(); ++ring) {
         const std::uint32_t begin = ringEnds[ring - 1], end = ringEnds[ring];
         const bool clockwise = areaOf(std::span(flat_).subspan(begin, end - begin)) < 0.0;
@@ -137,10 +140,11 @@ void Triangulation::joinHoles(std::span<const std::uint32_t> ringEnds) {
         if (steps_ < mostSteps_) bridge(hole);
 }
 
-// Cuts the outline open at a corner that the hole's rightmost corner sees, and leads it around the hole and back.
+// Joins a hole to the outline by a bridge from `hole`, its rightmost corner, to a corner of the outline that
+// can be seen from there.
 void Triangulation::bridge(std::uint32_t hole) {
     const std::uint32_t outer = visibleFrom(corners_[hole].at);
-    if (outer == corners_.size()) return;  // not inside the outline at all
+    if (outer == corners_.size()) return;  // the hole is outside the outline
     for (std::uint32_t i = corners_[hole].next; i != hole; i = corners_[i].next) ++remaining_;
     remaining_ += 3;
 
@@ -154,7 +158,8 @@ void Triangulation::bridge(std::uint32_t hole) {
     corners_[hole].previous = outer;
 }
 
-// The outline's edge that a ray to the right meets first; of its ends the one further right.
+// Finds the first edge of the outline that a ray from the point to the right meets, and sets hitX. Returns
+// its end that is further right, or corners_.size() if there is no such edge.
 std::uint32_t Triangulation::nearestRightOf(const glm::dvec2& point, double& hitX) {
     auto nearest = static_cast<std::uint32_t>(corners_.size());
     hitX = std::numeric_limits<double>::infinity();
@@ -163,8 +168,8 @@ std::uint32_t Triangulation::nearestRightOf(const glm::dvec2& point, double& hit
         const Corner& a = corners_[i];
         const Corner& b = corners_[a.next];
         ++steps_;
-        if (a.at.y <= point.y && b.at.y >= point.y &&
-            a.at.y < b.at.y) {  // the inside is to the left of upward edges
+        // Upward edges: the inside of the outline is to their left.
+        if (a.at.y <= point.y && b.at.y >= point.y && a.at.y < b.at.y) {
             const double x = a.at.x + (point.y - a.at.y) / (b.at.y - a.at.y) * (b.at.x - a.at.x);
             if (x >= point.x && x < hitX) {
                 hitX = x;
@@ -176,8 +181,9 @@ std::uint32_t Triangulation::nearestRightOf(const glm::dvec2& point, double& hit
     return nearest;
 }
 
-// A corner of the outline that can be joined to the point by a straight line within the polygon (Eberly): the end of
-// the edge to the right, unless corners stand between; of those the one nearest to the ray's direction.
+// Finds a corner of the outline that a straight line within the polygon joins to the point (Eberly, section
+// 3): the end of the edge that the ray hits or, if corners lie in the triangle between, the one of them that
+// is nearest to the direction of the ray.
 std::uint32_t Triangulation::visibleFrom(const glm::dvec2& point) {
     double hitX = 0.0;
     const std::uint32_t candidate = nearestRightOf(point, hitX);
@@ -204,8 +210,8 @@ std::uint32_t Triangulation::visibleFrom(const glm::dvec2& point) {
     return best;
 }
 
-// Whether the point lies between the two edges of the corner, on the polygon's side. Of corners at the same place,
-// which bridges make, only one does.
+// Whether the point lies between the two edges of the corner, inside the polygon. If bridges have made
+// several corners at one place, this is true for one of them only.
 bool Triangulation::opensTo(const Corner& corner, const glm::dvec2& point) const {
     const glm::dvec2 before = corners_[corner.previous].at, after = corners_[corner.next].at;
     const bool leftOfBefore = orientation(before, corner.at, point) >= 0.0;
@@ -251,11 +257,12 @@ void Triangulation::clipEars() {
     std::uint32_t misses = 0;
     while (remaining_ > 3 && steps_ < mostSteps_) {
         const std::uint32_t next = corners_[corner].next;
-        // Where a whole round finds no ear the polygon crosses itself, or has no area left: any corner will do.
+        // If a whole round finds no ear, the polygon crosses itself or has no area left. Then any corner is
+        // clipped.
         if (isEar(corner) || misses > remaining_) {
             clip(corner);
             misses = 0;
-            corner = corners_[next].next;  // skipping one makes rounder triangles
+            corner = corners_[next].next;  // skipping a corner makes triangles that are less thin
         } else {
             ++misses;
             corner = next;

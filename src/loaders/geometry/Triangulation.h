@@ -11,29 +11,32 @@
 
 namespace walkcycle {
 
-// Cuts polygons into triangles: convex ones into a fan, concave ones and those with holes by clipping ears. Keep one
-// for many polygons, since it keeps its memory.
+// Cuts polygons into triangles: convex polygons into a fan; others, and polygons with holes, by clipping ears
+// (David Eberly, "Triangulation by Ear Clipping"). Use one object for many polygons: it keeps its memory.
 class Triangulation {
 public:
-    // `points` are the corners of the outline and, after them, of each hole; `ringEnds` says where each ends.
-    // Gives three indices into `points` per triangle, wound like the outline. A polygon that no rule fits (it crosses
-    // itself, or has no area) is covered as well as can be. Valid until the next call.
+    // `points` are the corners of the outline, then those of each hole; ringEnds[i] is the index after the
+    // last point of ring i. Returns three indices into `points` per triangle, wound like the outline, valid
+    // until the next call. A polygon that crosses itself or has no area gets triangles that cover it as well
+    // as possible.
     const std::vector<std::uint32_t>& cut(std::span<const glm::vec3> points,
                                           std::span<const std::uint32_t> ringEnds);
 
 private:
-    // A corner of what is left to cut: one closed line, to which holes are joined by bridges (two corners each way).
+    // A corner of the polygon that is left to cut. The corners are a linked ring. A hole is joined to the
+    // outline by a bridge: two edges on the same line, one there and one back, so that the corners at both
+    // ends exist twice.
     struct Corner {
         glm::dvec2 at;
         std::uint32_t point;  // index into `points`
         std::uint32_t previous, next;
-        bool reflex;
+        bool reflex;  // the angle inside is 180 degrees or more
     };
     void flatten(std::span<const glm::vec3> points, std::uint32_t outlineEnd);
     bool isConvex() const;
     void fan(std::uint32_t corner);
 
-    std::uint32_t link(std::uint32_t begin, std::uint32_t end, bool counterClockwise);
+    std::uint32_t link(std::uint32_t begin, std::uint32_t end, bool asGiven);
     void joinHoles(std::span<const std::uint32_t> ringEnds);
     void bridge(std::uint32_t hole);
     std::uint32_t nearestRightOf(const glm::dvec2& point, double& hitX);
@@ -49,12 +52,12 @@ private:
     std::vector<Corner> corners_;
     PointGrid reflexCorners_;
     std::vector<std::uint32_t> triangles_;
-    std::uint32_t remaining_ = 0;  // corners not yet clipped
-    std::uint64_t steps_ = 0, mostSteps_ = 0;
+    std::uint32_t remaining_ = 0;              // corners not yet clipped
+    std::uint64_t steps_ = 0, mostSteps_ = 0;  // work done, and its limit
 };
 
-// Twice the area of a closed line in space as a vector along its normal (Newell): its direction is the polygon's
-// normal also where it is not quite flat.
+// The area vector of a polygon (Newell's method): its length is twice the area, and its direction is the
+// normal, also if the polygon is not quite flat.
 glm::dvec3 areaVector(std::span<const glm::vec3> ring);
 
 }  // namespace walkcycle

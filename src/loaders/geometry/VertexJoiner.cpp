@@ -29,7 +29,7 @@ std::uint32_t hashOf(std::uint32_t position, const float* attributes, std::size_
 VertexJoiner::VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions,
                            std::size_t expectedCorners)
     : attributeCount_(attributeCount), firstAt_(expectedPositions, kNone) {
-    const std::size_t vertices = std::min(expectedPositions, expectedCorners);  // mostly somewhat more
+    const std::size_t vertices = std::min(expectedPositions, expectedCorners);  // usually there are some more
     positions_.reserve(vertices);
     nextAt_.reserve(vertices);
     attributes_.reserve(vertices * attributeCount);
@@ -43,7 +43,7 @@ std::uint32_t VertexJoiner::append(std::uint32_t position, const float* attribut
     return vertex;
 }
 
-// Where so many vertices stand at one position that looking at each would take long.
+// For positions with so many vertices that comparing each would take long.
 std::uint32_t VertexJoiner::addToTable(std::uint32_t position, const float* attributes) {
     if (table_.empty()) table_.assign(64, kNone);
     const std::uint32_t hash = hashOf(position, attributes, attributeCount_);

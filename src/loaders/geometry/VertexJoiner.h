@@ -8,11 +8,12 @@
 
 namespace walkcycle {
 
-// Makes vertices of corners: those that stand at one position and look the same in every attribute (by value, not by
-// index: exporters repeat equal values) are one vertex.
+// Joins corners into vertices: corners with the same position and equal attributes are one vertex. Attributes
+// are compared by value, because exporters write equal values under different indices.
 class VertexJoiner {
 public:
-    // `attributeCount` numbers per corner, one at least; how many positions and corners there will be is only a hint.
+    // Each corner has `attributeCount` numbers, at least one. The expected numbers of positions and corners
+    // are hints.
     VertexJoiner(std::size_t attributeCount, std::size_t expectedPositions, std::size_t expectedCorners);
 
     // The vertex of a corner. `attributes` points to attributeCount finite numbers.
@@ -26,6 +27,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    // A vertex whose position has too many vertices for a chain.
     struct Overflowed {
         std::uint32_t vertex, hash;
     };
@@ -37,9 +39,11 @@ private:
     std::size_t attributeCount_;
     std::vector<std::uint32_t> positions_;
     std::vector<float> attributes_;
-    // The vertices at a position as a chain: its first, and for each vertex the next. There are one to six mostly.
+    // The vertices at each position are a linked list: its first vertex per position, the next one per
+    // vertex. Nearly all lists have one to six vertices.
     std::vector<std::uint32_t> firstAt_, nextAt_;
-    // Those that did not fit into a chain, by their hash; the table (open addressing, a power of two) holds indices.
+    // The vertices beyond the longest chain are found by their hash: table_ has open addressing, a power of
+    // two of slots, and holds indices of overflowed_.
     std::vector<Overflowed> overflowed_;
     std::vector<std::uint32_t> table_;
 };
@@ -53,7 +57,7 @@ inline bool VertexJoiner::looksLike(std::uint32_t vertex, const float* wanted) c
 }
 
 inline std::uint32_t VertexJoiner::add(std::uint32_t position, const float* attributes) {
-    constexpr int kLongestChain = 16;  // a fan of hard edges; no honest position has many more vertices
+    constexpr int kLongestChain = 16;  // the middle of a fan with hard edges; longer ones are rare
     if (position >= firstAt_.size())
         firstAt_.resize(std::max<std::size_t>(position + 1, 2 * firstAt_.size()), kNone);
     std::uint32_t vertex = firstAt_[position], last = kNone;
