@@ -6,11 +6,11 @@
 
 namespace walkcycle {
 
-// What a channel may target beside nodes: which element became which part of the Model. The loaders fill it, and
-// AnimationLoader reads it.
+// The elements beside <node>s that an animation <channel> may target, and the index of the part of the Model
+// that each became. The loaders of the parts fill the maps; the room curves reads them.
 struct AnimationTargets {
-    std::unordered_map<XmlNode, int>
-        morphs;  // <controller>, its weights' <source> and <float_array> -> Model::morphs
+    // <controller>, and the <source> and <float_array> of its weights -> Model::morphs
+    std::unordered_map<XmlNode, int> morphs;
     std::unordered_map<XmlNode, int> cameras;         // <camera> -> Model::cameras
     std::unordered_map<XmlNode, int> lights;          // <light> -> Model::lights
     std::unordered_multimap<XmlNode, int> materials;  // <effect> and <material> -> Model::materials

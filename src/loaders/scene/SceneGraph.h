@@ -10,15 +10,16 @@
 
 namespace walkcycle {
 
-// What SkeletonLoader makes of a <visual_scene>: one entry per occurrence of a <node>, in the order of
-// Skeleton::joints. A <node> that is instanced twice has two occurrences.
+// The nodes of a <visual_scene>, made by SkeletonLoader. Each vector has one entry per joint, in the order of
+// Skeleton::joints. A <node> that is instanced twice becomes two joints, its occurrences.
 struct SceneGraph {
     Skeleton skeleton;
     std::vector<XmlNode> nodes;          // per joint: its <node>
     std::vector<TransformStack> stacks;  // per joint
-    std::vector<glm::dmat4>
-        outer;  // per joint: what stands before its stack (an <asset>'s conversion); mostly identity
-    std::vector<bool> drawn;  // false for joints of library_nodes that only a skin uses
+    // Per joint: the matrix left of its stack. It converts the unit and axes of an <asset> of the node's own
+    // (or of another document) to those of its parent; nearly always the identity.
+    std::vector<glm::dmat4> outer;
+    std::vector<bool> drawn;  // per joint: false if only a skin refers to its node, in <library_nodes>
     std::unordered_multimap<XmlNode, int> occurrences;  // <node> -> joints
 
     struct Instance {

@@ -25,7 +25,7 @@ std::optional<double> number(XmlNode node, const LoadContext& context) {
     return std::nullopt;
 }
 
-// Angles, sizes and ratios: nothing but positive ones can be used.
+// For angles, sizes and ratios, which must be positive.
 std::optional<double> positive(XmlNode node, const LoadContext& context) {
     const std::optional<double> value = number(node, context);
     if (!value || *value > 0.0) return value;
@@ -34,12 +34,13 @@ std::optional<double> positive(XmlNode node, const LoadContext& context) {
     return std::nullopt;
 }
 
+// Sets `value` if the element is there and holds a number.
 template <typename T>
 void read(XmlNode node, const LoadContext& context, T& value) {
     if (const auto parsed = number(node, context)) value = static_cast<T>(*parsed);
 }
 
-// The first that is there, of elements from the inside out.
+// The first element that exists, of a list from the inside to the outside. The last one must exist.
 XmlNode innermost(std::initializer_list<XmlNode> elements) {
     return *std::find_if(elements.begin(), elements.end() - 1, [](XmlNode element) { return bool(element); });
 }
@@ -83,7 +84,7 @@ bool readKind(XmlNode technique, LightKind& kind, XmlNode& element) {
     return false;
 }
 
-// An <intensity> that stands in <extra> is not read: the <color> has been multiplied by it already.
+// An <intensity> in <extra> is not read: exporters have multiplied <color> by it already.
 std::optional<SceneLight> readLight(XmlNode light, const LoadContext& context) {
     SceneLight result;
     result.id = light.id();
@@ -96,7 +97,7 @@ std::optional<SceneLight> readLight(XmlNode light, const LoadContext& context) {
     }
     if (const XmlNode color = element.child("color")) {
         const std::vector<double> values = readDoubles(color, context.diagnostics, NumberFaults::Warning);
-        if (values.size() != 3 && values.size() != 4)  // an alpha means nothing, and does no harm
+        if (values.size() != 3 && values.size() != 4)  // an alpha has no meaning, and is ignored
             context.diagnostics.report(Code::ColorNumbers, color, {"color", std::to_string(values.size())});
         for (std::size_t i = 0; i < std::min<std::size_t>(3, values.size()); ++i)
             result.color[static_cast<int>(i)] = static_cast<float>(values[i]);
@@ -151,7 +152,7 @@ void loadCameras(const SceneGraph& scene, const LoadContext& context, Model& mod
 
 void loadLights(const SceneGraph& scene, const LoadContext& context, Model& model,
                 AnimationTargets& targets) {
-    std::unordered_map<XmlNode, bool> unusable;
+    std::unordered_map<XmlNode, bool> unusable;  // <light>s that are reported already
     for (const SceneGraph::Instance& instance : scene.lights) {
         const XmlNode light = context.documents.follow(instance.element, "url", "light");
         if (!light || unusable.count(light)) continue;

@@ -26,8 +26,8 @@ int SkeletonLoader::addUndrawn(XmlNode node) {
     return joint;
 }
 
-// Depth first with a stack of our own: how deep the tree is, and how often <instance_node> multiplies it, is the
-// file's choice, and the limit on nodes bounds both.
+// Walks the nodes depth first with an explicit stack, because a file may nest them as deep as it likes. The
+// limit on nodes also bounds how often <instance_node>s repeat them.
 void SkeletonLoader::add(const Visit& root, bool drawn) {
     std::vector<Visit> waiting{root};
     while (!waiting.empty()) {
@@ -44,14 +44,15 @@ void SkeletonLoader::add(const Visit& root, bool drawn) {
     }
 }
 
-// What the file holds once and the scene many times: the node with its transforms and instances.
+// Counts the elements that <instance_node>s repeat: the node itself, its transforms and its instances.
 void SkeletonLoader::countInstanced(XmlNode node) {
     ++instancedElements_;
     for (XmlNode child = node.firstChild(); child; child = child.nextSibling()) ++instancedElements_;
     context_.require(instancedElements_, &LoadLimits::maxInstancedElements, node);
 }
 
-// Whether the joint's own and its model transform are made of numbers that a float holds with room for one more product.
+// Whether all numbers of the joint's model transform at rest are small enough that floats can hold one more
+// product with it. Appends that transform to worlds_.
 bool SkeletonLoader::reachesWorld(const Joint& joint) {
     constexpr double kLargest = 1e18;
     const glm::dmat4 local(joint.localBindTransform);
@@ -122,7 +123,7 @@ std::vector<SkeletonLoader::Visit> SkeletonLoader::childrenOf(const Visit& visit
     return children;
 }
 
-// Whether `joint` is an occurrence of `node` or inside one: instancing `node` there would never end.
+// Whether `joint` is an occurrence of `node`, or below one. Instancing `node` there would never end.
 bool SkeletonLoader::isInside(XmlNode node, int joint) const {
     for (; joint != kNoParent; joint = scene_.skeleton.joints[static_cast<std::size_t>(joint)].parent)
         if (scene_.nodes[static_cast<std::size_t>(joint)] == node) return true;

@@ -9,18 +9,19 @@
 
 namespace walkcycle {
 
-// Makes the Skeleton: every <node> of the scene, parents first, <instance_node>s followed. (The series' SkeletonLoader
-// reads the joint nodes alone; but animations move any node, and skins may hang on any.)
+// Makes the Skeleton: a joint for every <node> of the scene, parents first, with <instance_node>s resolved.
+// (The SkeletonLoader of the series reads only the nodes that are joints. But channels may animate any node,
+// and any node may carry a skin.)
 class SkeletonLoader {
 public:
-    // `asset` is the root document's, whose space the whole scene is brought to.
+    // `asset` is the root document's. All nodes are converted to its unit and axes.
     SkeletonLoader(const LoadContext& context, const Asset& asset, XmlNode rootCollada)
         : context_(context), asset_(asset), rootCollada_(rootCollada) {}
 
     void addScene(XmlNode visualScene);
 
-    // Adds a <node> that no scene shows, with all below it, as an extra root that is not drawn: the joints of a skin
-    // may live in <library_nodes> alone. Gives its joint.
+    // Adds a <node> that no scene shows, with the nodes below it, as a root that is not drawn: the joints of
+    // a skin may be in <library_nodes> only. Returns its joint.
     int addUndrawn(XmlNode node);
 
     SceneGraph& scene() { return scene_; }
@@ -29,9 +30,9 @@ private:
     struct Visit {
         XmlNode node;
         int parent;
-        XmlNode around;  // the element whose space the node's parent is in
+        XmlNode around;  // the parent <node>, or <COLLADA>: its <asset> gives the space of the parent
         bool instanced = false;
-        std::uint64_t depth = 1;  // levels of nodes, with this one
+        std::uint64_t depth = 1;  // 1 for a root
     };
     void add(const Visit& root, bool drawn);
     int addJoint(const Visit& visit, bool drawn);

@@ -42,7 +42,8 @@ bool isZero(const glm::dvec3& v) {
     return !(glm::dot(v, v) > 0.0);
 }
 
-// Divides by the largest component first, so that very long and very short vectors neither overflow nor underflow.
+// Divides by the largest component first, so that very long and very short vectors neither overflow nor
+// underflow.
 glm::dvec3 unit(const glm::dvec3& v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0.0 ? glm::normalize(v / largest) : glm::dvec3(0.0);
@@ -61,8 +62,8 @@ glm::dmat4 rotation(const double* v) {
     return isZero(axis) ? glm::dmat4(1.0) : glm::rotate(glm::dmat4(1.0), glm::radians(v[3]), axis);
 }
 
-// The inverse of the view matrix: the node is at the eye, and its -Z axis points at the point of interest. If the up
-// direction is zero or parallel to the view, another one is taken.
+// The inverse of a view matrix: the node is at the eye, and its -Z axis points at the point of interest. If
+// the up direction is zero or parallel to the view, another up direction is used.
 glm::dmat4 lookAt(const double* v) {
     const glm::dvec3 eye = vec3Of(v);
     glm::dvec3 back = unit(eye - vec3Of(v + 3));
@@ -78,8 +79,9 @@ glm::dmat4 lookAt(const double* v) {
     return {glm::dvec4(right, 0.0), glm::dvec4(up, 0.0), glm::dvec4(back, 0.0), glm::dvec4(eye, 1.0)};
 }
 
-// COLLADA's <skew> is RenderMan's Skew: an angle, the axis to rotate, and the axis along which points move. The first axis
-// is rotated towards the second by the angle. A point moves in proportion to its distance from the second axis.
+// COLLADA's <skew> is RenderMan's Skew: an angle, the axis to rotate, and the axis along which points move.
+// The first axis is rotated towards the second by the angle. A point moves in proportion to its distance from
+// the second axis.
 glm::dmat4 skew(const double* v) {
     const glm::dvec3 rotated = unit(vec3Of(v + 1));
     const glm::dvec3 along = unit(vec3Of(v + 4));
@@ -91,7 +93,7 @@ glm::dmat4 skew(const double* v) {
     const double newAcross = inAcross * cosine - inAlong * sine;
     const double newAlong = inAcross * sine + inAlong * cosine;
     if (newAcross < 1e-9)
-        return glm::dmat4(1.0);  // rotated onto the second axis or past it: no skew does that
+        return glm::dmat4(1.0);  // the first axis would reach the second, or pass it: no skew does that
     const glm::dvec3 shift = along * (newAlong / newAcross - inAlong / inAcross);
     const glm::dvec3 a = across / inAcross;
     return {glm::dvec4(glm::dvec3(1, 0, 0) + shift * a.x, 0.0),
@@ -105,7 +107,8 @@ const KindInfo* kindOf(std::string_view elementName) {
     return found == std::end(kKinds) ? nullptr : found;
 }
 
-// Whether a direction without which the element means nothing is zero.
+// Whether the element has no defined matrix, because an axis or direction is zero, or two directions are
+// parallel.
 bool isDegenerate(const TransformElement& e) {
     const double* v = e.values.data();
     switch (e.kind) {
