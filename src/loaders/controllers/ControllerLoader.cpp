@@ -50,7 +50,7 @@ XmlNode ControllerLoader::followToGeometry(XmlNode from, XmlNode controller, std
 
 XmlNode ControllerLoader::load(const SceneGraph::Instance& source, MeshInstance& instance) {
     const XmlNode controller = context_.documents.follow(source.element, "url", {});
-    if (controller.is("geometry"))  // shown as it is, which is not what was asked for
+    if (controller.is("geometry"))  // wrong, but clear: it is shown without deformers
         context_.diagnostics.report(
             Code::WrongElement, source.element,
             {"instance_controller", std::string(source.element.attribute("url")), "geometry", "controller"});
@@ -111,7 +111,7 @@ int ControllerLoader::morph(XmlNode controller, XmlNode geometry) {
     return index;
 }
 
-// A target is a <geometry>, or a controller, whose own shape (its geometry's) is meant.
+// A target is a <geometry>, or a controller, which stands for its geometry. Nothing for other elements.
 XmlNode ControllerLoader::targetGeometry(XmlNode element) {
     if (!element.is("controller")) return element.is("geometry") ? element : XmlNode();
     std::vector<XmlNode> chain;
@@ -144,7 +144,7 @@ void ControllerLoader::readTargets(XmlNode morph, XmlNode geometry, MorphTargets
 }
 
 void ControllerLoader::addTargets(const NameSource& names, XmlNode geometry, MorphTargets& result) {
-    static const LoadedMesh kNothing;  // a target that is not there moves nothing
+    static const LoadedMesh kNothing;  // a target that is missing moves nothing
     const LoadedMesh& base = meshes_.load(geometry);
     const std::size_t wanted = base.mesh.positions.size();
     int missing = 0;

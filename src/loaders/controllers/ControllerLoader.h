@@ -15,7 +15,8 @@
 
 namespace walkcycle {
 
-// Follows an <instance_controller> through its skins and morphs, in any order and number, to the mesh beneath them.
+// Reads the controller of an <instance_controller>: skins and morphs on top of each other, in any order and
+// number, down to the geometry that they deform (COLLADA 1.4.1, chapter 5, <controller>).
 class ControllerLoader {
 public:
     ControllerLoader(const LoadContext& context, MeshLibrary& meshes, SkeletonLoader& skeletons, Model& model,
@@ -27,14 +28,15 @@ public:
           model_(model),
           targets_(targets) {}
 
-    // The geometry beneath the controller, and its deformers, innermost first; nothing (reported) where it leads nowhere.
-    // Fills instance.deformers.
+    // Returns the geometry that the controllers deform, and fills instance.deformers, innermost first.
+    // Returns nothing, and reports it, if there is no geometry.
     XmlNode load(const SceneGraph::Instance& source, MeshInstance& instance);
 
 private:
-    // The controllers from the outermost to the one on the geometry. `from` refers to the outermost; for messages.
+    // Fills `chain` with the controllers, outermost first, and returns their geometry. `from` is the element
+    // that refers to the outermost one, for messages.
     XmlNode followToGeometry(XmlNode from, XmlNode controller, std::vector<XmlNode>& chain);
-    int morph(XmlNode controller, XmlNode geometry);
+    int morph(XmlNode controller, XmlNode geometry);  // returns an index into Model::morphs
     void readTargets(XmlNode morph, XmlNode geometry, MorphTargets& result, std::vector<float>& weights);
     void addTargets(const NameSource& names, XmlNode geometry, MorphTargets& result);
     XmlNode targetGeometry(XmlNode element);
@@ -46,7 +48,7 @@ private:
     SkeletonLoader& skeletons_;
     Model& model_;
     AnimationTargets& targets_;
-    std::unordered_map<XmlNode, std::pair<bool, SkinData>> skins_;
+    std::unordered_map<XmlNode, std::pair<bool, SkinData>> skins_;  // by <controller>: usable?, contents
     std::uint64_t boundJoints_ = 0;
 };
 

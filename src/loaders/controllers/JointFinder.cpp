@@ -9,7 +9,7 @@
 
 namespace walkcycle {
 
-// The keys are views into the documents' attributes, which outlive the load.
+// The keys refer to the text of the documents' attributes, which outlives the load.
 void JointFinder::indexNewJoints() {
     const std::vector<XmlNode>& nodes = skeletons_.scene().nodes;
     for (; indexed_ < nodes.size(); ++indexed_) {
@@ -33,7 +33,7 @@ int JointFinder::nearestCommonAncestor(int a, int b) const {
     const auto& joints = skeletons_.scene().skeleton.joints;
     while (a != b) {  // parents have smaller indices than their children
         int& later = a > b ? a : b;
-        assert(later != kNoParent);  // it is the smallest
+        assert(later != kNoParent);  // kNoParent is smaller than any joint
         later = joints[static_cast<std::size_t>(later)].parent;
     }
     return a;
@@ -51,7 +51,8 @@ int JointFinder::pick(const Index& index, std::string_view name, const std::vect
                       int node) const {
     const auto found = index.find(name);
     if (found == index.end()) return kNoParent;
-    constexpr std::size_t kMostCandidates = 64;  // a thousand joints of one name are damage, not a choice
+    constexpr std::size_t kMostCandidates =
+        64;  // more joints of one name are a damaged file, and not worth the time
     int best = kNoParent, bestDepth = -1;
     for (std::size_t i = 0; i < std::min(found->second.size(), kMostCandidates); ++i) {
         const int joint = found->second[i];
@@ -81,7 +82,8 @@ int JointFinder::pickAnywhere(std::string_view name, bool isId, const std::vecto
     return kNoParent;
 }
 
-// The occurrence of a <node> nearest to `node`; where no scene shows it, its whole tree is added undrawn.
+// The occurrence of a <node> that is nearest to `node`. If no scene shows the <node>, adds the tree that it
+// belongs to, undrawn.
 int JointFinder::occurrence(XmlNode element, int node) {
     SceneGraph& scene = skeletons_.scene();
     int best = kNoParent, bestDepth = -1;
@@ -104,7 +106,7 @@ std::vector<int> JointFinder::skeletonRoots(XmlNode instanceController) {
     for (XmlNode skeleton : instanceController.children("skeleton")) {
         const std::string uri = skeleton.text();
         const XmlNode target = context_.documents.resolve(skeleton, uri);
-        if (target.is("visual_scene")) return {};  // every joint is below it
+        if (target.is("visual_scene")) return {};  // the whole scene: every joint is below it
         if (target.is("node"))
             roots.push_back(occurrence(target, kNoParent));
         else

@@ -11,22 +11,25 @@
 
 namespace walkcycle {
 
-// Finds the joints that skins name. COLLADA 1.4.1, <joints> and <skeleton>: names of a Name_array are sids, looked for
-// below the skeleton's roots; those of an IDREF_array are ids. The quirk joints-by-any-name lets an id or a name do.
-// Joints that no scene shows are fetched from <library_nodes>.
+// Finds the joints that a skin names (COLLADA 1.4.1, chapter 5, <joints> and <skeleton>). The names of a
+// Name_array are sids, searched below the roots that <skeleton> gives; those of an IDREF_array are ids. The
+// quirk joints-by-any-name also accepts an id or a name. If no scene shows a joint, it is added from
+// <library_nodes>.
 class JointFinder {
 public:
     JointFinder(const LoadContext& context, SkeletonLoader& skeletons)
         : context_(context), skeletons_(skeletons) {}
 
-    // The joints that the <skeleton>s of an <instance_controller> name; empty where it has none (or none that is there).
+    // The joints that the <skeleton>s of an <instance_controller> name. Empty if it has none or none can be
+    // found, and then the whole scene is searched.
     std::vector<int> skeletonRoots(XmlNode instanceController);
 
-    // `node` is the joint that the instance hangs on: of several occurrences the nearest is meant. kNoParent if
-    // there is none. `from` is the skin, whose document ids belong to.
+    // Returns a joint, or kNoParent if there is none. `node` is the joint that carries the instance: if a
+    // name has several joints, the one with the deepest common ancestor with `node` is meant. `from` is the
+    // <skin>; ids are searched in its document.
     int find(std::string_view name, bool isId, const std::vector<int>& roots, int node, XmlNode from);
 
-    int nearestCommonAncestor(int a, int b) const;  // kNoParent: only the scene itself
+    int nearestCommonAncestor(int a, int b) const;  // kNoParent if there is none
 
 private:
     using Index = std::unordered_map<std::string_view, std::vector<int>>;
@@ -40,7 +43,7 @@ private:
     const LoadContext& context_;
     SkeletonLoader& skeletons_;
     Index bySid_, byId_, byName_;
-    std::size_t indexed_ = 0;
+    std::size_t indexed_ = 0;  // how many joints are in the indices above
 };
 
 }  // namespace walkcycle

@@ -15,7 +15,7 @@
 namespace walkcycle {
 namespace {
 
-// A target with the base's polygons has one corner for each of the base's.
+// For a target with the polygons of the base: corner by corner.
 std::vector<glm::vec3> normalDeltasByCorner(const LoadedMesh& base, const LoadedMesh& target) {
     std::vector<glm::vec3> deltas(base.mesh.vertexCount(), glm::vec3(0.0f));
     for (std::size_t c = 0; c < base.cornerVertices.size(); ++c) {
@@ -31,6 +31,7 @@ bool hasSameCorners(const LoadedMesh& base, const LoadedMesh& target) {
            target.faces.cornerPositions == base.faces.cornerPositions;
 }
 
+// For a target with normals in <vertices>: position by position.
 std::vector<glm::vec3> normalDeltasByPosition(const LoadedMesh& base, const LoadedMesh& target) {
     std::vector<glm::vec3> deltas(base.mesh.vertexCount(), glm::vec3(0.0f));
     for (std::size_t v = 0; v < deltas.size(); ++v) {
@@ -42,7 +43,8 @@ std::vector<glm::vec3> normalDeltasByPosition(const LoadedMesh& base, const Load
     return deltas;
 }
 
-// How made normals would turn when the base's polygons are laid through the target's positions.
+// For a target whose normals do not fit: computes normals for the polygons of the base twice, with the
+// positions of the base and with the moved ones, and takes the difference.
 std::vector<glm::vec3> normalDeltasByShape(const LoadedMesh& base,
                                            const std::vector<glm::vec3>& positionDeltas) {
     std::vector<glm::vec3> deformed = base.mesh.positions;
@@ -57,7 +59,7 @@ std::vector<glm::vec3> normalDeltasByShape(const LoadedMesh& base,
     return deltas;
 }
 
-// Finite, also where the distance is more than single precision can say.
+// Clamped, because the difference of two large floats may overflow.
 glm::vec3 difference(const glm::vec3& to, const glm::vec3& from) {
     constexpr float kMost = std::numeric_limits<float>::max();
     return glm::clamp(to - from, -kMost, kMost);
@@ -75,9 +77,9 @@ MorphTarget makeMorphDeltas(const LoadedMesh& base, const LoadedMesh& target, Mo
     for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i)
         result.positionDeltas[i] = method == MorphMethod::Normalized ? difference(to[i], from[i]) : to[i];
 
-    if (!base.hasNormals) return result;  // they are made of the shape that all deformers make together
+    if (!base.hasNormals) return result;  // normals are computed after all deformers (MadeNormals)
 
-    // The normals of a RELATIVE target are differences, if anything; what the shape does is clear.
+    // A RELATIVE target may hold normals or differences of normals, so its normals are not used.
     const bool own = method == MorphMethod::Normalized && target.mesh.positions.size() >= from.size();
     if (own && target.hasNormals && hasSameCorners(base, target))
         result.normalDeltas = normalDeltasByCorner(base, target);

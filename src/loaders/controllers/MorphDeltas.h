@@ -7,8 +7,10 @@
 
 namespace walkcycle {
 
-// What a target adds to the base at weight one. Targets may be longer than the base (the rest is ignored) or shorter
-// (reported; the rest does not move), and without primitives (their normals then come from <vertices>, if at all).
+// The morph target that adds, at weight 1, the deltas between `target` and `base` (see MorphTarget). A
+// RELATIVE target holds position deltas already. If `target` has more positions than `base`, the others are
+// ignored; if it has fewer, the other deltas are zero. Normal deltas come from the target's normals if they
+// fit, and otherwise from the shape.
 MorphTarget makeMorphDeltas(const LoadedMesh& base, const LoadedMesh& target, MorphMethod method,
                             std::string id);
 

@@ -21,7 +21,8 @@
 namespace walkcycle {
 namespace {
 
-// Relative to the matrix's own size, so that small units do not look singular.
+// Whether the matrix has (nearly) no inverse, relative to its own size: a matrix that scales to a small unit
+// has one.
 bool isSingular(const glm::mat4& matrix) {
     const double size = std::max({glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
                                   glm::length(glm::dvec3(matrix[2]))});
@@ -71,14 +72,15 @@ void readJointNames(const Input& input, const LoadContext& context, SkinData& da
     data.jointNames = names->values;
     data.nameSource = names;
     std::unordered_set<std::string_view> seen;
-    int repeated = 0;  // only the first few are looked for in the text
+    int repeated = 0;  // lines are searched for the first few only
     for (std::size_t i = 0; i < data.jointNames.size(); ++i)
         if (!seen.insert(data.jointNames[i]).second)
             context.diagnostics.report(Code::DuplicateJoint, names->array, {data.jointNames[i]},
                                        ++repeated <= kMostLinesLookedFor ? names->lineOf(i) : 0);
 }
 
-// <vertex_weights> counts through the list of joints that it names, which should be that of <joints>.
+// The joint indices of <vertex_weights> are indices into the list that it names itself. Reports it if
+// <joints> names another list.
 void checkJointLists(XmlNode joints, XmlNode weights, const LoadContext& context) {
     std::string_view named[2];
     const XmlNode elements[2] = {joints, weights};
@@ -92,7 +94,7 @@ void checkJointLists(XmlNode joints, XmlNode weights, const LoadContext& context
                                    {std::string(named[1]), std::string(named[0])});
 }
 
-// Takes the matrices of the rest pose where the file gives none.
+// The inverse of the joint's model transform at rest: used if the file has no inverse bind matrices.
 glm::mat4 restInverseBind(const SceneGraph& scene, int joint) {
     glm::dmat4 world(1.0);
     for (; joint != kNoParent; joint = scene.skeleton.joints[static_cast<std::size_t>(joint)].parent)
@@ -100,6 +102,8 @@ glm::mat4 restInverseBind(const SceneGraph& scene, int joint) {
     return std::abs(glm::determinant(world)) > 1e-30 ? glm::mat4(glm::inverse(world)) : glm::mat4(1.0f);
 }
 
+// Sets Skin::placedBy (the quirk skin-by-node). `ancestor`: the nearest common ancestor of the node and the
+// joints.
 void placeByNode(const SceneGraph::Instance& instance, int ancestor, const LoadContext& context, Skin& skin) {
     skin.placedBy = instance.node;
     skin.placedRelativeTo = ancestor;
@@ -152,7 +156,7 @@ Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointF
         if (!found) {
             context.diagnostics.report(Code::JointNotFound, data.nameSource->array, {name},
                                        ++missing <= kMostLinesLookedFor ? data.nameSource->lineOf(i) : 0);
-            joint = instance.node;  // what hangs on it stays with the skin's node, as if it had no weight
+            joint = instance.node;  // its vertices follow the skin's node, like vertices without weights
         } else {
             shared = joints.nearestCommonAncestor(shared, joint);
         }
@@ -160,7 +164,7 @@ Skin bindSkin(const SkinData& data, const SceneGraph::Instance& instance, JointF
         glm::mat4 inverseBind(1.0f);
         if (found && i < data.inverseBindMatrices.size()) inverseBind = data.inverseBindMatrices[i];
         if (found && data.inverseBindMatrices.empty()) inverseBind = restInverseBind(scene, joint);
-        // Far from the origin both are large and all but cancel out: in double nothing is lost.
+        // In double: far from the origin both matrices are large and nearly cancel out.
         skin.bindMatrices.emplace_back(glm::dmat4(inverseBind) * glm::dmat4(data.bindShapeMatrix));
     }
     skin.joints.push_back(instance.node);

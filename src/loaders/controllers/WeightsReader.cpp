@@ -18,14 +18,15 @@ namespace {
 
 constexpr float kSumTolerance = 0.02f;  // exporters round to two or three digits
 
-// Where the numbers of one influence stand in <v>.
+// The layout of <v>: an influence is a group of `stride` numbers, with a joint index and a weight index at
+// these offsets.
 struct Layout {
     std::size_t jointOffset = 0, weightOffset = 0, stride = 1;
     std::shared_ptr<const FloatSource> weights;
 };
 
-// What was met on the way, to be said once, and where it was met first or worst: an entry of the WEIGHT source, a number
-// of <v>, a position.
+// Faults that are counted and reported once, with the place of the first or worst: an entry of the WEIGHT
+// source, a number of <v>, a position.
 struct Findings {
     std::size_t negative = 0, unnormalised = 0, unweighted = 0;
     std::size_t negativeEntry = 0, worstNumber = 0, unweightedPosition = 0;
@@ -64,6 +65,7 @@ bool readLayout(XmlNode vertexWeights, const LoadContext& context, Layout& layou
     return false;
 }
 
+// Reads the influences position by position.
 class InfluenceReader {
 public:
     InfluenceReader(XmlNode element, const LoadContext& context, const Layout& layout, std::size_t jointCount)
@@ -76,7 +78,7 @@ public:
 
     std::size_t groupCount() const { return v_.size() / layout_.stride; }
 
-    // The influences of the next position: `count` groups of numbers.
+    // Reads the influences of the next position, which has `count` of them.
     void add(std::size_t count, Influences& out) {
         const std::size_t begin = out.influences.size(), number = at_;
         for (std::size_t i = 0; i < count; ++i, at_ += layout_.stride) addOne(v_.data() + at_, out);
@@ -132,7 +134,8 @@ private:
                                     looked ? v.lineOfWord(static_cast<std::size_t>(index - v_.data())) : 0);
     }
 
-    // `number` is where in <v> the position's influences start.
+    // Scales the weights of a position, from out.influences[begin] on, to the sum 1. `number` is the index in
+    // <v> of its first number.
     void normalise(Influences& out, std::size_t begin, std::size_t number) {
         float sum = 0.0f;
         for (std::size_t i = begin; i < out.influences.size(); ++i) sum += out.influences[i].weight;
@@ -155,7 +158,7 @@ private:
     const Layout& layout_;
     std::size_t jointCount_, weightCount_;
     std::vector<std::int32_t> v_;
-    std::size_t at_ = 0;  // in v_
+    std::size_t at_ = 0;  // index into v_ of the next position
     Findings found_;
 };
 
@@ -168,7 +171,8 @@ void checkCount(XmlNode vertexWeights, std::size_t vcounts, Diagnostics& diagnos
                            {"vertex_weights", std::to_string(count), "positions", std::to_string(vcounts)});
 }
 
-// How many influences each position has, cut off where a count is negative or <v> ends.
+// The number of influences of each position. The list ends before a negative count, and where <v> has too few
+// numbers; that is reported.
 std::vector<std::size_t> readVcounts(XmlNode vertexWeights, std::size_t groups, std::size_t positionCount,
                                      const LoadContext& context) {
     const XmlNode element = vertexWeights.child("vcount");
