@@ -22,8 +22,8 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-// Entries whose names lead out of the archive are skipped. Nothing is unpacked to disk, but a path in a
-// document must not resolve to such an entry either.
+// Whether a name stays inside the archive. Nothing is unpacked to disk, but a path in a document must not
+// resolve to another entry either.
 bool isHarmless(const std::string& name) {
     if (name.empty() || name.front() == '/' || name.find('\0') != std::string::npos) return false;
     for (std::size_t start = 0; start <= name.size();) {
@@ -34,7 +34,7 @@ bool isHarmless(const std::string& name) {
     return true;
 }
 
-// Rounded up, so that a ratio just over a limit counts as over it.
+// The ratio of unpacked to packed size, rounded up, so that a ratio just over a limit counts as over it.
 std::uint64_t timesItsSize(std::uint64_t unpacked, std::uint64_t packed) {
     return packed == 0 ? UINT64_MAX : unpacked / packed + (unpacked % packed != 0);
 }
@@ -47,6 +47,7 @@ std::string withoutComments(std::string xml) {
     return xml;
 }
 
+// Decodes "&amp;", the only escape that a path needs.
 std::string withAmpersands(std::string_view xml) {
     std::string text;
     for (std::size_t i = 0; i < xml.size(); ++i) {
@@ -56,7 +57,7 @@ std::string withAmpersands(std::string_view xml) {
     return text;
 }
 
-// The entry that a manifest's <dae_root> names. A manifest says nothing else, so a search for the tag is
+// The entry that <dae_root> of a manifest names. A manifest contains nothing else, so a search for the tag is
 // enough.
 std::string daeRoot(Bytes manifest) {
     std::string xml = withoutComments(toUtf8(std::move(manifest)));
@@ -79,7 +80,7 @@ struct Member {
 }  // namespace
 
 struct Archive::Impl {
-    Bytes bytes;  // libzip reads from here as long as the archive is open
+    Bytes bytes;  // libzip reads them as long as the archive is open
     ArchiveLimits limits;
     zip_t* zip = nullptr;
     std::vector<std::string> names;
@@ -107,7 +108,7 @@ void Archive::Impl::open() {
 
 void Archive::Impl::list() {
     const zip_int64_t count = zip_get_num_entries(zip, 0);
-    if (count < 0) throw ArchiveError("its entries cannot be counted");
+    if (count < 0) throw ArchiveError("libzip cannot count its entries");
     if (static_cast<std::uint64_t>(count) > limits.maxEntries)
         throw ArchiveTooLarge("it holds " + std::to_string(count) + " entries; the limit is " +
                                   std::to_string(limits.maxEntries),
@@ -133,7 +134,7 @@ void Archive::Impl::list() {
 Bytes Archive::Impl::unpack(const std::string& name, const Member& member) const {
     if (member.size > kMegabyte && timesItsSize(member.size, member.packedSize) > limits.maxRatio)
         throw ArchiveTooLarge("'" + name + "' unpacks to " + std::to_string(member.size) + " bytes from " +
-                                  std::to_string(member.packedSize) + ", which no honest file does",
+                                  std::to_string(member.packedSize) + "; real files do not compress so far",
                               timesItsSize(member.size, member.packedSize), &ArchiveLimits::maxRatio);
     zip_file_t* file = zip_fopen_index(zip, member.index, 0);
     if (!file) throw ArchiveError("'" + name + "' cannot be unpacked: " + zip_strerror(zip));
@@ -185,7 +186,7 @@ std::string Archive::rootDocument(std::string* doubt) const {
         reason =
             root.empty() ? "manifest.xml names no document" : "'" + root + "' of manifest.xml is not in it";
     }
-    const std::string* best = nullptr;  // the first one in the fewest folders
+    const std::string* best = nullptr;  // the first .dae in the fewest folders
     const auto depth = [](const std::string& name) { return std::count(name.begin(), name.end(), '/'); };
     for (const std::string& name : names()) {
         if (!lowerCase(name).ends_with(".dae")) continue;

@@ -11,7 +11,7 @@
 namespace walkcycle {
 namespace {
 
-// Memory for a large file is taken in huge pages if the system has them: with pages of 4 KB, the page faults take as
+// Memory for a large file uses huge pages if the system has them. With pages of 4 KB, the page faults take as
 // long as reading the file.
 constexpr std::size_t kLarge = std::size_t{8} << 20;
 constexpr std::align_val_t kLargePage{std::size_t{2} << 20};
@@ -19,7 +19,7 @@ constexpr std::align_val_t kLargePage{std::size_t{2} << 20};
 void* allocateLarge(std::size_t bytes) {
     void* const memory = ::operator new(bytes, kLargePage);
 #ifdef MADV_HUGEPAGE
-    ::madvise(memory, bytes, MADV_HUGEPAGE);  // a hint: where it has no effect, pages stay small
+    ::madvise(memory, bytes, MADV_HUGEPAGE);  // only a hint: if the system ignores it, pages stay small
 #endif
     return memory;
 }

@@ -47,7 +47,7 @@ private:
     int fd_;
 };
 
-// The system would read the path up to the zero byte, and open another file than the named one.
+// Refuses names with a zero byte: the system would read them up to the zero and open another file.
 void requirePlainPath(const char* what, const std::string& path) {
     if (path.empty()) fail(what, path, "the name is empty");
     if (path.find('\0') != std::string::npos)
@@ -61,7 +61,7 @@ const char* kindOfFile(mode_t mode) {
     return "it is a device";
 }
 
-// Reads to the end of the file. The size that the system tells is a hint only, because files may grow.
+// Reads to the end of the file. The size from the system is only a hint, because files may grow.
 Bytes readAll(int fd, std::uint64_t sizeHint, std::uint64_t maxBytes, const std::string& path) {
     Bytes bytes;
     std::size_t used = 0;
@@ -79,7 +79,7 @@ Bytes readAll(int fd, std::uint64_t sizeHint, std::uint64_t maxBytes, const std:
     return bytes;
 }
 
-// Fails if the file changed during the read: half of an old file and half of a new one is neither.
+// Fails if the file changed while it was read: half an old and half a new file is neither.
 void requireUnchanged(int fd, const struct stat& before, std::size_t got, const std::string& path) {
     struct stat after {};
     if (::fstat(fd, &after) != 0) failWithErrno("read", path);
@@ -99,8 +99,8 @@ void writeAll(int fd, std::span<const std::uint8_t> bytes, const std::string& pa
     }
 }
 
-// Names of temporary files, where a signal handler can find them. The code that takes a name out of its slot
-// owns it.
+// The names of the temporary files, for the signal handler. Whoever exchanges a slot for null owns the name
+// in it.
 std::array<std::atomic<char*>, 16> unfinishedFiles;
 
 class TemporaryFile {
@@ -114,7 +114,7 @@ public:
                 return;
             }
         }
-        std::free(copy);  // sixteen writers at once: this one is not cleaned up after a signal
+        std::free(copy);  // sixteen writers at once: a signal leaves this file behind
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -130,7 +130,7 @@ private:
     bool finished_ = false;
 };
 
-// The target of a symbolic link, so that renaming replaces the file and not the link.
+// The target of a symbolic link, or the path itself. Renaming must replace the target, not the link.
 std::string linkTarget(const std::string& path) {
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
@@ -144,7 +144,7 @@ std::string temporaryNameBeside(const std::string& path) {
     const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
     std::string name;
     struct stat status {};
-    do {  // process ids are reused: a program that was killed may have left a file of this name
+    do {  // process ids are reused, and a killed program may have left a file of this name
         name = folder + ".walkcycle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
     } while (::lstat(name.c_str(), &status) == 0);
     return name;
@@ -219,7 +219,8 @@ void writeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
     if (::stat(target.c_str(), &status) != 0) return writeBesideAndRename(target, bytes, nullptr);
     if (S_ISDIR(status.st_mode)) fail("write", path, kindOfFile(status.st_mode));
     if (!S_ISREG(status.st_mode)) return writeThrough(target, bytes);
-    // Renaming needs permission for the folder only. Ask for the file, too, so that a read-only file is kept.
+    // Renaming needs permission for the folder only, so permission for the file is checked here: a read-only
+    // file is kept.
     if (::access(target.c_str(), W_OK) != 0) failWithErrno("write", path);
     writeBesideAndRename(target, bytes, &status.st_mode);
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
-// zlib's inflate with gzip headers, ended by its destructor.
+// zlib's inflate for gzip files. The destructor ends it.
 class Inflater {
 public:
     explicit Inflater(const Bytes& bytes) {
@@ -39,7 +39,7 @@ void checkSize(const Bytes& unpacked, std::size_t packed, const ArchiveLimits& l
     const std::uint64_t ratio = (unpacked.size() + packed - 1) / packed;
     if (unpacked.size() > kChunk && ratio > limits.maxRatio)
         throw ArchiveTooLarge("it unpacks to more than " + std::to_string(limits.maxRatio) +
-                                  " times its size, which no honest file does",
+                                  " times its size; real files do not compress so far",
                               ratio, &ArchiveLimits::maxRatio);
 }
 

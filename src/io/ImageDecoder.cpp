@@ -17,10 +17,11 @@
 
 namespace {
 
-// The largest block that stb_image may allocate. It trusts the lengths in a file: a PNG of 200 bytes can make
-// it ask for two gigabytes.
+// The largest block that stb_image may allocate at the moment. stb_image trusts the lengths in a file: a PNG
+// of 200 bytes can make it ask for two gigabytes.
 thread_local std::size_t largestBlock = 0;
-// An allowed block could not be allocated: memory is exhausted, and the file is not at fault.
+// Set if a block within that limit could not be allocated: then memory is exhausted, and the file is not at
+// fault.
 thread_local bool outOfMemory = false;
 
 void* allocateBlock(std::size_t bytes) {
@@ -36,8 +37,7 @@ void* resizeBlock(void* block, std::size_t bytes) {
 
 }  // namespace
 
-// stb_image's own code, with only the formats that textures come in. The limits that matter are checked
-// below.
+// The code of stb_image, with only the formats that textures use. Our own limits are checked below.
 #define STBI_ONLY_PNG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
@@ -78,7 +78,7 @@ Image decodeWebp(ByteSpan bytes, const ImageLimits& limits) {
     return image;
 }
 
-// Some TGA writers store four bytes per pixel and leave the fourth at zero: the picture is opaque, not
+// Some TGA writers store four bytes per pixel, and 0 as the fourth. The picture is meant to be opaque, not
 // invisible.
 void dropEmptyAlpha(Image& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
@@ -87,15 +87,15 @@ void dropEmptyAlpha(Image& image) {
     image.hasAlpha = false;
 }
 
-bool isTga(ByteSpan bytes) {  // TGA has no signature: a file of no other format
+bool isTga(ByteSpan bytes) {  // TGA has no signature; the other formats begin with these bytes
     const std::array<ByteSpan::value_type, 5> firsts = {0x89, 'B', 'G', '8', 'P'};
     for (const std::uint8_t first : firsts)
         if (bytes[0] == first) return false;
     return true;
 }
 
-// The largest block for an intact file holds its pixels with 16 bits a channel, or its packed bytes;
-// stb_image may have doubled either of them once.
+// The blocks of an intact file hold its pixels with 16 bits per channel, or its packed bytes. stb_image may
+// double either size once.
 constexpr std::size_t kBlockMargin = 1 << 20, kBlockPerByte = 4, kBlockPerPixel = 16;
 
 Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
@@ -119,7 +119,7 @@ Image decodeWithStb(ByteSpan bytes, const ImageLimits& limits) {
     return image;
 }
 
-// Whether the PNG has its first and its last chunk; a file that was cut short has no last one.
+// Whether the PNG has its first and its last chunk. A truncated file has no last chunk.
 bool isWholePng(ByteSpan bytes) {
     constexpr std::array<std::uint8_t, 8> start{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     constexpr std::array<std::uint8_t, 12> end{0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};

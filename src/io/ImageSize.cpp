@@ -8,8 +8,8 @@
 namespace walkcycle {
 namespace {
 
-// A byte holds many compressed pixels, but not any number: PNG's deflate packs at most 1032 to 1, so a byte
-// gives at most some 8,000 one-bit pixels.
+// The most pixels that one byte can hold: the deflate of PNG compresses at most 1032 to 1, that is some 8,000
+// pixels of one bit.
 constexpr std::int64_t kMostPixelsPerByte = 16384;
 
 }  // namespace

@@ -7,11 +7,12 @@
 
 namespace walkcycle {
 
-// Throws ImageError if the size is zero or over a limit, or if `bytes`, the size of the file, cannot hold so
-// many pixels under any compression: such a file is cut short, or a decompression bomb.
+// Checks the size of a picture, in pixels, before it is decoded. `bytes` is the size of its file. Throws
+// ImageError if there are no pixels, or more than so many bytes can hold under any compression: then the file
+// is truncated, or made to exhaust memory. Throws ImageTooLarge if a limit is exceeded.
 void checkSize(std::int64_t width, std::int64_t height, std::size_t bytes, const ImageLimits& limits);
 
-// A picture of transparent black.
+// A picture filled with transparent black.
 Image emptyImage(int width, int height, bool hasAlpha);
 
 }  // namespace walkcycle

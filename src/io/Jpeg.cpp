@@ -16,7 +16,7 @@ namespace {
 
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
-// CMYK files come from Adobe's programs, which store inverted values: 255 is no ink.
+// CMYK files store inverted values, as the programs of Adobe do: 255 is no ink.
 void cmykToRgba(Bytes& pixels) {
     for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -25,7 +25,8 @@ void cmykToRgba(Bytes& pixels) {
     }
 }
 
-// Small faults, such as bytes between markers, leave a picture; a file that ends too soon does not.
+// Whether a fault leaves no picture. Small faults, such as bytes between markers, leave one; a truncated file
+// does not.
 bool isFatal(const Decoder& decoder) {
     return tjGetErrorCode(decoder.get()) == TJERR_FATAL ||
            std::string_view(tjGetErrorStr2(decoder.get())).find("Premature end") != std::string_view::npos;

@@ -9,8 +9,9 @@ namespace walkcycle {
 
 bool looksLikeJpeg(std::span<const std::uint8_t> bytes);
 
-// JPEG of every kind: baseline and progressive, grey, YCbCr and CMYK. Throws ImageError.
-// Uses libjpeg-turbo, because Debian's stb_image writes past a table when a file's Huffman codes are damaged.
+// Decodes JPEG of every kind: baseline and progressive, grey, YCbCr and CMYK. Throws ImageError. Uses
+// libjpeg-turbo, because the stb_image of Debian writes beyond a table if the Huffman codes of a file are
+// damaged.
 Image decodeJpeg(std::span<const std::uint8_t> bytes, const ImageLimits& limits);
 
 }  // namespace walkcycle

@@ -16,7 +16,7 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-// Windows-1252's 0x80 to 0x9f; the five bytes it leaves undefined stay control characters.
+// The characters of Windows-1252 from 0x80 to 0x9f. The five undefined bytes stay control characters.
 constexpr std::array<char32_t, 32> kWindows1252 = {
     0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
@@ -79,8 +79,8 @@ std::string fromWindows1252(ByteSpan bytes) {
     return text;
 }
 
-// The number of bytes of the character at `i`; 0 if it is not valid UTF-8 (overlong forms and surrogates are
-// invalid).
+// The number of bytes of the character at `i`; 0 if it is not valid UTF-8. Overlong forms and surrogates are
+// not valid.
 std::size_t utf8Length(ByteSpan bytes, std::size_t i) {
     const std::uint8_t lead = bytes[i];
     const std::size_t length = lead < 0x80                   ? 1
@@ -116,7 +116,7 @@ struct Span {
     std::size_t begin = 0, end = 0;
 };
 
-// The encoding's name in <?xml version="1.0" encoding="...">; empty if there is none.
+// The position of the name in <?xml version="1.0" encoding="...">; empty if there is none.
 Span declaredEncoding(std::string_view text) {
     const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     const std::string_view head = text.substr(start, 1024);
@@ -145,8 +145,8 @@ bool isLatin1(const std::string& name) {
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
-// Decodes Latin-1 if the declaration names it, else UTF-8; if the bytes are not valid UTF-8 and `guessed` is
-// given, Latin-1.
+// Decodes Latin-1 (as Windows-1252) if the declaration names it, otherwise UTF-8. If the bytes are not valid
+// UTF-8 and `guessed` is given, decodes Windows-1252.
 std::string from8Bit(ByteSpan bytes, bool* guessed) {
     const std::string_view raw = viewOf(bytes);
     const Span span = declaredEncoding(raw);
@@ -179,8 +179,8 @@ std::string decode(ByteSpan bytes, bool* guessed) {
     return from8Bit(bytes, guessed);
 }
 
-// XML has no zero characters, and the parser would take the first one for the end of the text. Zeros at the
-// very end are padding that some tools write.
+// Drops zero characters at the end, which some tools write as padding. Fails for others: XML has none, and
+// the parser would take the first one for the end of the text.
 void cutZeros(std::string& text) {
     while (!text.empty() && text.back() == '\0') text.pop_back();
     const std::size_t zero = text.find('\0');
@@ -204,7 +204,7 @@ std::optional<std::string_view> asUtf8(const Bytes& bytes, bool* plain) {
     const bool isPlain = claimsUtf8 && isPlainText(text);
     if (plain) *plain = isPlain;
     if (isPlain) return text;
-    // Anything with a zero byte is UTF-16, UTF-32 or broken.
+    // Text with a zero byte is UTF-16, UTF-32 or damaged.
     if (!claimsUtf8 || text.find('\0') != std::string_view::npos || !isUtf8(text)) return std::nullopt;
     return text;
 }

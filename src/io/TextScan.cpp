@@ -6,7 +6,7 @@
 namespace walkcycle {
 namespace {
 
-// Compilers make vector code of loops that have a fixed length and no early exit.
+// Compilers vectorise loops that have a fixed length and no early exit.
 constexpr std::size_t kBlock = 128;
 
 unsigned char isForbiddenControl(unsigned char c) {
@@ -26,8 +26,8 @@ unsigned char leastInBlock(const char* block) {
     return least;
 }
 
-// `mayHold` is a quick test of a block that is true for every block with a matching character, and rarely for
-// others.
+// Finds the first character for which `test` is true. `mayHold` is a quick test of a block: true for every
+// block with such a character, and rarely for others.
 template <typename MayHold, typename Test>
 std::size_t findFirst(std::string_view text, std::size_t from, MayHold mayHold, Test test) {
     std::size_t at = from;

@@ -29,7 +29,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-// The length of "scheme" in "scheme:...", 0 where there is none. A single letter is a drive, not a scheme.
+// The length of "scheme" in "scheme:..."; 0 if there is none. A single letter is a drive, not a scheme.
 std::size_t schemeLength(std::string_view text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos || colon < 2 || !isLetter(text[0])) return 0;
@@ -43,7 +43,7 @@ bool startsWithDrive(std::string_view path) {
     return path.size() >= 2 && isLetter(path[0]) && path[1] == ':';
 }
 
-// "///home/x" is the absolute path /home/x, "///C:/x" is C:/x on a drive. Exporters that write "//x.png" mean
+// "///home/x" is the absolute path /home/x; "///C:/x" is C:/x on a drive. Exporters that write "//x.png" mean
 // x.png beside the document, not a host of that name.
 std::string_view pathOfFileScheme(std::string_view path) {
     if (!path.starts_with("//")) return path;
@@ -70,8 +70,8 @@ Uri parseUri(std::string_view text) {
     std::string path(text);
     std::replace(path.begin(), path.end(), '\\', '/');
     uri.path = percentDecode(uri.scheme == "file" ? pathOfFileScheme(path) : path);
-    std::replace(uri.path.begin(), uri.path.end(), '\\',
-                 '/');  // exporters on Windows write backslashes as %5C
+    // Exporters on Windows write backslashes as %5C.
+    std::replace(uri.path.begin(), uri.path.end(), '\\', '/');
     return uri;
 }
 

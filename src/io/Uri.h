@@ -5,17 +5,18 @@
 
 namespace walkcycle {
 
-// A URI reference of a document, taken apart: "../maps/skin%20a.png#x" has path "../maps/skin a.png" and
+// The parts of a URI reference (RFC 3986): "../maps/skin%20a.png#x" has the path "../maps/skin a.png" and the
 // fragment "x".
 struct Uri {
     std::string scheme;    // lower case; empty for a relative reference
     std::string path;      // percent escapes decoded, backslashes replaced by slashes
-    std::string fragment;  // decoded
+    std::string fragment;  // percent escapes decoded; without "#"
 };
 
+// Accepts any text. White space at its ends is ignored, and a drive letter ("C:/x.png") is part of the path.
 Uri parseUri(std::string_view text);
 
-// The text with its percent escapes decoded; an escape that is not two hex digits stays as it is.
+// Decodes percent escapes. An escape that is not two hexadecimal digits is left as it is.
 std::string percentDecode(std::string_view text);
 
 }  // namespace walkcycle

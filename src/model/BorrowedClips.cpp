@@ -9,7 +9,8 @@
 namespace walkcycle {
 namespace {
 
-// The joint for each id, name and sid. If two joints claim a word, ids win over names, and names over sids.
+// The joint for each id, name and sid. If two joints have the same word, an id wins over a name, and a name
+// over a sid.
 std::unordered_map<std::string, int> jointsByName(const Skeleton& skeleton) {
     std::unordered_map<std::string, int> joints;
     for (const std::string Joint::*name : {&Joint::id, &Joint::name, &Joint::sid})
@@ -19,6 +20,7 @@ std::unordered_map<std::string, int> jointsByName(const Skeleton& skeleton) {
     return joints;
 }
 
+// The joint of the other model with one of these names; kNoParent if there is none.
 int counterpart(const Joint& joint, const std::unordered_map<std::string, int>& joints) {
     for (const std::string* name : {&joint.id, &joint.name, &joint.sid})
         if (const auto found = joints.find(*name); !name->empty() && found != joints.end())
@@ -45,7 +47,7 @@ std::vector<Animation> borrowClips(const Model& source, const Model& model) {
     for (const Animation& clip : source.animations) {
         Animation borrowed = clip;
         borrowed.channels.clear();
-        borrowed.parameterTracks.clear();  // numbers of this file's morphs, lights and cameras
+        borrowed.parameterTracks.clear();  // their parameters are those of the source
         for (const Channel& channel : clip.channels) {
             const int joint =
                 counterpart(source.skeleton.joints[static_cast<std::size_t>(channel.joint)], joints);

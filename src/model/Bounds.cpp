@@ -13,7 +13,7 @@
 namespace walkcycle {
 namespace {
 
-// A node that is hidden at rest may become visible in an animation, if a channel changes its visibility.
+// A node that is hidden at rest may become visible in an animation, if a channel animates its visibility.
 bool mayBeSeen(const Model& model, int node) {
     const auto isVisibilityOfNode = [node](const Parameter& parameter) {
         return parameter.kind == ParameterKind::NodeVisible && parameter.object == node;
@@ -47,7 +47,7 @@ Bounds bounds(const Model& model, const std::vector<glm::mat4>& modelTransforms,
     for (const MeshInstance& instance : model.instances) {
         if (!mayBeSeen(model, instance.node)) continue;
         skinning.positions(model, instance, modelTransforms, parameters, positions);
-        // Only positions of vertices are drawn; a file may have others.
+        // A mesh may have positions that no vertex uses; they are not drawn.
         const MeshData& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
         for (const std::uint32_t position : mesh.vertexPositions) box.add(positions[position]);
     }

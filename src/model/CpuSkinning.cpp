@@ -22,8 +22,8 @@ constexpr std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// The matrix that transforms normals: the inverse transpose of `matrix`, up to a positive factor. It is made
-// of cross products, so that it exists even if `matrix` flattens the mesh and has no inverse.
+// The matrix that transforms normals: the inverse transpose of `matrix`, up to a positive factor. Cross
+// products give it also if `matrix` flattens the mesh and has no inverse.
 glm::mat3 normalMatrix(const glm::mat4& matrix) {
     const glm::vec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
     const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
@@ -49,8 +49,8 @@ void mixWith(std::vector<glm::vec3>& values, const std::vector<glm::vec3>& base,
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] * share + base[i] * (1.0f - share);
 }
 
-// An instance while its deformers are applied. Positions are in the mesh's own space, which morphs and skins
-// expect, or, after a skin, in model space.
+// An instance while its deformers are applied. Positions are in the space of the mesh, as morphs and skins
+// expect, or after a skin in model space.
 struct Work {
     const Model& model;
     const MeshInstance& instance;
@@ -62,7 +62,7 @@ struct Work {
     std::vector<glm::vec3>* made;     // to be computed from the deformed shape; null if the mesh has normals
     bool inModelSpace = false;
     bool wasSkinned = false;
-    bool mirrored = false;  // by the node's transform between deformers; skins are in mirrored_
+    bool mirrored = false;  // whether transform() has mirrored the mesh; for skins see Impl::mirrored
 
     const glm::mat4& nodeTransform() const { return modelTransforms[index(instance.node)]; }
 
@@ -98,14 +98,14 @@ struct CpuSkinning::Impl {
     std::vector<float> coefficients;
     std::vector<NormalMatrix> normalMatrices;
     std::vector<glm::vec3> positions;
-    std::vector<bool> mirrored;  // per position: its skins turn inside out
+    std::vector<bool> mirrored;  // per position: whether its skins mirror it
     SmoothNormals smoothNormals;
 };
 
 void CpuSkinning::Impl::morph(Work& work, std::span<const Deformer> morphs) {
     work.goToMeshSpace();
-    // Deltas are differences to the file's mesh. If a NORMALIZED morph follows a skin, its input is not the
-    // file's mesh, so blend from the input to the file's mesh first.
+    // Deltas are relative to the mesh of the file. After a skin, the input of the morphs is another shape, so
+    // it is blended towards the mesh of the file first, as far as NORMALIZED morphs ask for.
     if (work.wasSkinned) {
         const float share = shareOfInput(work.model, morphs, work.parameters);
         mixWith(work.positions, work.mesh.positions, share);
@@ -138,8 +138,8 @@ void CpuSkinning::Impl::skin(Work& work, const Deformer& deformer) {
     work.wasSkinned = true;
 }
 
-// Creases are those of the deformed shape: a part that is flat at rest may be folded now. If a deformer
-// mirrors the surface, its normals are flipped, so that they point outside again.
+// Creases are those of the deformed shape: faces that are flat at rest may be folded now. If a deformer
+// mirrors the surface, its normals are negated to point outside again.
 void CpuSkinning::Impl::makeNormals(Work& work) {
     const MadeNormals& mesh = work.mesh.madeNormals;
     const std::vector<glm::vec3>& normals =

@@ -8,9 +8,8 @@ namespace {
 
 constexpr std::size_t kLongPath = 120;
 
-// The path as a one-line message shows it: without the root, which all paths share. The path to a joint can
-// be long; then its end is shown, from the last element with an id on or earlier, which is enough to find the
-// place.
+// The element path for a one-line message, without the root element. Of a long path only the end is kept,
+// from the last element with an id on (or from earlier), which is enough to find the place.
 std::string placeIn(std::string_view path) {
     const std::size_t root = path.find('/');
     if (root == std::string_view::npos) return {};  // the document as a whole

@@ -5,7 +5,7 @@
 namespace walkcycle {
 namespace {
 
-// The weights of ISO/CIE linear luminance that the specification writes out.
+// The weights of CIE linear luminance that the specification gives.
 float luminance(const glm::vec4& color) {
     return color.r * 0.212671f + color.g * 0.715160f + color.b * 0.072169f;
 }

@@ -56,7 +56,7 @@ void apply(SceneLight& light, LightComponent component, float value) {
     }
 }
 
-// A material that an animation makes transparent must be drawn with blending, even if it is solid at rest.
+// A material that is opaque at rest must be drawn with blending while an animation makes it transparent.
 void blendIfFaded(Material& material) {
     const ColorOrTexture& transparent = material.slot(Slot::Transparent);
     if (opacity(material, transparent.color) < 1.0f) material.transparent = true;

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <limits>
 
-// Most of the code is compiled twice: for every machine, and for machines with AVX2 and FMA, which load a
-// number into all lanes in one instruction, and multiply and add in one.
+// Compiled twice: for any machine, and for machines with AVX2 and FMA. AVX2 loads a number into all lanes
+// with one instruction; FMA multiplies and adds with one.
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define WALKCYCLE_HAS_AVX2 1
@@ -42,7 +42,7 @@ WALKCYCLE_INLINE Float4 zxy(Float4 v) {
     return __builtin_shufflevector(v, v, 2, 0, 1, 3);
 }
 
-// The cross product as z, x, y: one shuffle less.
+// The cross product in the order z, x, y: this takes one shuffle less.
 WALKCYCLE_INLINE Float4 crossZxy(Float4 a, Float4 b) {
     return a * yzx(b) - yzx(a) * b;
 }
@@ -57,8 +57,8 @@ WALKCYCLE_INLINE Float4 negated(Float4 v, Bits sign) {
     return reinterpret_cast<Float4>(reinterpret_cast<Bits>(v) ^ sign);
 }
 
-// A mirroring matrix has a negative determinant. It flips faces, so the normals are negated to point outside
-// again.
+// A matrix that mirrors has a negative determinant. It flips the faces, so the normals are negated to point
+// outside again.
 WALKCYCLE_INLINE NormalMatrix normalMatrixOf(Float4 x, Float4 y, Float4 z) {
     const Float4 xy = crossZxy(x, y);
     const Bits sign = signOfSum(xy * zxy(z));
@@ -144,7 +144,8 @@ bool hasAvx2() {
     static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     return has;
 }
-// Most of the time goes into loading matrices; two columns per register need half as many loads.
+// Most of the time is spent on loading matrices. With two columns per register, half as many loads are
+// needed.
 WALKCYCLE_AVX2 void skinAvx2(const Points& points) {
     const Influence* all = points.influences.influences.data();
     const std::uint32_t* first = points.influences.first.data();

@@ -13,29 +13,30 @@
 
 namespace walkcycle {
 
-// The matrix by which a blended matrix transforms normals: its cofactors. They are the inverse transpose up
-// to a positive factor, and exist even if the matrix flattens the mesh and has no inverse. Three columns,
-// each in the order z, x, y, 0.
+// The matrix that transforms the normals of one position: the cofactors of its blended skinning matrix. They
+// are the inverse transpose up to a positive factor, and exist also if the skinning matrix flattens the mesh
+// and has no inverse. Three columns, each in the order z, x, y, 0.
 struct NormalMatrix {
     Float4 x, y, z;
 
-    // The columns of a mirroring matrix are negated, and with them the zeros in lane 3.
+    // For a matrix that mirrors, the columns are negated, and so the zeros in lane 3 are negative.
     bool isMirror() const { return std::signbit(x[3]); }
 };
 
-// Auto takes AVX2 if the machine has it. The others are for tests and benchmarks; do not ask for a way that
-// hasSkinningWay() denies.
+// Which instructions to use. Auto: AVX2 if the machine has it. The others are for tests and benchmarks; check
+// with hasSkinningWay() first.
 enum class SkinningWay { Auto, Baseline, Avx2 };
 bool hasSkinningWay(SkinningWay way);
 
-// Skins positions: each becomes (sum of weight * palette[joint]) * position. Fills `normalMatrices` (resized, one per position)
-// unless it is null. `to` is as long as `from`, and may be the same memory.
+// Skins positions: each is multiplied by the sum of weight * palette[joint] over its influences. `to` is as
+// long as `from`, and may be the same memory. Unless normalMatrices is null, it is resized and gets one entry
+// per position.
 void skinPositions(const Influences& influences, std::span<const glm::mat4> palette,
                    std::span<const glm::vec3> from, std::span<glm::vec3> to,
                    std::vector<NormalMatrix>* normalMatrices, SkinningWay way = SkinningWay::Auto);
 
-// Transforms normals, each by the matrix of its position, to unit length; a normal without direction becomes
-// zero. `to` as above.
+// Transforms normals, each by the matrix of its position, and scales them to unit length. A normal without
+// direction becomes zero. `to` is as long as `from`, and may be the same memory.
 void transformNormals(std::span<const NormalMatrix> normalMatrices,
                       std::span<const std::uint32_t> vertexPositions, std::span<const glm::vec3> from,
                       std::span<glm::vec3> to, SkinningWay way = SkinningWay::Auto);

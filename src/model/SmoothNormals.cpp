@@ -13,7 +13,7 @@
 namespace walkcycle {
 namespace {
 
-// If more corners than this meet, comparing each pair costs too much: all of them are smoothed together.
+// If more corners than this meet, all of them are smoothed together: comparing each pair would take too long.
 constexpr std::size_t kMostComparedFaces = 256;
 
 using Share = SmoothNormals::Share;
@@ -31,7 +31,7 @@ glm::dvec3 areaVector(const MeshFaces& faces, const Ring& ring, const std::vecto
     return area;
 }
 
-// The angle inside the polygon at a corner, over 180 degrees where it is reflex.
+// The interior angle of the polygon at a corner; over 180 degrees if the corner is reflex.
 float innerAngle(const glm::dvec3& before, const glm::dvec3& at, const glm::dvec3& after,
                  const glm::vec3& normal) {
     const glm::dvec3 in = at - before, out = after - at;
@@ -71,8 +71,8 @@ void findShares(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
     }
 }
 
-// Per position: the first position of the same value, so that exporters' repeated positions do not make hard
-// edges.
+// Per position: the index of the first position with the same value. Otherwise, positions that exporters
+// repeat would make hard edges.
 std::vector<std::uint32_t> firstOfEqual(const std::vector<glm::vec3>& positions) {
     constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
     std::vector<std::uint32_t> table(std::bit_ceil(positions.size() * 2 + 1), kEmpty),

@@ -9,28 +9,28 @@
 
 namespace walkcycle {
 
-// Faces whose normals differ by more than this keep a hard edge between them: a limb of five sides (72
-// degrees between two) is still smooth; a box (90 degrees) and the sides of a steep pyramid are not. Measured
-// on meshes that do have normals (docs/collada-notes.md): wider limits blunt boxes and belts, narrower ones
-// show facets.
+// The angle between two faces above which the edge between them stays hard. A limb of five sides (72 degrees
+// between two) is smooth; a box (90 degrees) is not. The value is measured on meshes that have normals
+// (docs/collada-notes.md): larger ones smooth boxes and belts, smaller ones leave facets visible.
 inline constexpr float kCreaseAngleDegrees = 75.0f;
 
-// Normals for a mesh that has none, one per corner of the file: the mean of the faces that meet there, each
-// weighted by its angle (the polygon's, before it is cut into triangles, so that the cut leaves no trace).
-// Positions of equal value count as one. Corners that no face with an area uses get +Y. `rest` decides which
-// faces are smoothed together, `deformed` gives their directions. Both are the same vector, except for morph
-// targets of a mesh with normals, whose corners must be smoothed as in the base mesh.
+// Computes normals for a mesh, one per corner of `faces`: the mean of the normals of the faces that meet at
+// the corner within the crease angle, each weighted by the angle of its polygon there. (Polygons, not
+// triangles: how they are cut leaves no trace.) Positions with equal values count as one. A corner of which
+// no face has an area gets +Y. `rest` decides which faces are smoothed together, `deformed` gives their
+// directions. Pass the same vector twice, except for a morph target of a mesh with normals: its corners must
+// be smoothed as in the base mesh.
 std::vector<glm::vec3> smoothNormals(const MeshFaces& faces, const std::vector<glm::vec3>& rest,
                                      const std::vector<glm::vec3>& deformed);
 
-// The corners at each position; those of equal positions are one group.
+// Groups the corners by position. Positions with equal values are one group.
 CornerGroups groupCorners(const MeshFaces& faces, const std::vector<glm::vec3>& positions);
 
-// The same for a mesh that moves: groups are found once by groupCorners(), and memory is kept between calls.
+// Computes the same for a mesh that moves. groupCorners() is called once, and memory is kept between calls.
 class SmoothNormals {
 public:
-    // What a corner adds to the normals of the corners that it meets (`weighted`), and the normal of its
-    // face, which decides which of them those are (`creaseNormal`).
+    // What one corner adds to the normals of the corners of its group: `weighted`, if the angle between their
+    // creaseNormals (the normals of their faces in the `rest` shape) is within the crease angle.
     struct Share {
         glm::vec3 creaseNormal{0.0f};
         glm::vec3 weighted{0.0f};
@@ -46,7 +46,7 @@ private:
     std::vector<glm::vec3> normals_;
 };
 
-// The vector at unit length; zero if it has no direction.
+// The vector scaled to unit length; zero if it has no direction.
 glm::vec3 unitOrZero(const glm::dvec3& vector);
 
 }  // namespace walkcycle

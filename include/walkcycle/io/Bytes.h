@@ -10,12 +10,13 @@
 
 namespace walkcycle {
 
-// What Bytes is allocated with: bytes that resize() adds stay uninitialised unless a value is given.
+// The allocator of Bytes: bytes that resize() adds stay uninitialised unless a value is given, which saves a
+// pass over the memory of each file and picture.
 struct WALKCYCLE_API BytesAllocator {
     using value_type = std::uint8_t;
     template <typename Other>
     struct rebind {
-        using other = BytesAllocator;  // there are no other elements
+        using other = BytesAllocator;  // its only element type is a byte
     };
 
     std::uint8_t* allocate(std::size_t count);  // throws std::bad_alloc
@@ -28,8 +29,8 @@ struct WALKCYCLE_API BytesAllocator {
     friend bool operator==(const BytesAllocator&, const BytesAllocator&) { return true; }
 };
 
-// The bytes of a file or a picture. resize(n) leaves the bytes that it adds uninitialised; resize(n, 0)
-// zeroes them.
+// The bytes of a file or a picture. resize(n) leaves the bytes that it adds uninitialised; resize(n, 0) sets
+// them to zero.
 using Bytes = std::vector<std::uint8_t, BytesAllocator>;
 
 }  // namespace walkcycle

@@ -9,22 +9,22 @@
 
 namespace walkcycle {
 
-// A picture in memory.
+// A picture: 8 bits per channel, sRGB.
 struct Image {
     int width = 0, height = 0;  // in pixels
-    bool hasAlpha = false;      // the file had an alpha channel
-    // Rows from the top, four bytes per pixel: red, green, blue, alpha; sRGB, straight alpha. Empty where only the size was
-    // asked for.
+    bool hasAlpha = false;      // whether the file has an alpha channel
+    // Rows from top to bottom, four bytes per pixel: red, green, blue, and alpha, which is not premultiplied.
+    // Empty if only the size was asked for.
     Bytes rgba;
 };
 
-// The largest picture that decodeImage (ImageDecoder.h) accepts, so that a file of a few bytes cannot cost gigabytes.
+// The largest picture that is decoded, because a file of a few bytes may claim gigabytes.
 struct ImageLimits {
     std::uint64_t maxDimension = 16384;          // pixels on a side
     std::uint64_t maxPixels = 64 * 1024 * 1024;  // width * height
 };
 
-// Bytes that are no picture that can be used: what() says why, in one line.
+// A picture that cannot be decoded or encoded. what() gives the reason in one line.
 struct WALKCYCLE_API ImageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -32,12 +32,13 @@ struct WALKCYCLE_API ImageError : std::runtime_error {
 struct WALKCYCLE_API ImageTooLarge : ImageError {
     ImageTooLarge(const std::string& what, std::uint64_t found, std::uint64_t ImageLimits::*passed)
         : ImageError(what), amount(found), limit(passed) {}
-    std::uint64_t amount;               // what the file claims
-    std::uint64_t ImageLimits::*limit;  // which of the limits
+    std::uint64_t amount;               // the number that the file claims
+    std::uint64_t ImageLimits::*limit;  // the exceeded limit
 };
 
-// The bytes of a picture file. Throw ImageError where the picture has no pixels.
+// Encode a picture as a file, without loss. Throw ImageError if the picture has no pixels or is too large for
+// the format (WebP: 16383 pixels per side).
 WALKCYCLE_API Bytes encodePng(const Image& image);
-WALKCYCLE_API Bytes encodeWebp(const Image& image);  // lossless
+WALKCYCLE_API Bytes encodeWebp(const Image& image);
 
 }  // namespace walkcycle

@@ -9,9 +9,10 @@
 
 namespace walkcycle {
 
-// What the vertex shader does, in plain C++: tests compare the GPU with it, and bounds, poses and baked
-// meshes come from it. Results are in model space. It keeps its work memory between calls, so use one for all
-// instances and all frames.
+// Deforms meshes on the CPU: applies the deformers of an instance in order, as the vertex shader does on the
+// GPU. For bounds, exported meshes, and deformers that the shader cannot apply. Results are in model space.
+// An object keeps its work memory between calls, so use one for all instances and frames. It is not
+// thread-safe.
 class WALKCYCLE_API CpuSkinning {
 public:
     CpuSkinning();
@@ -19,12 +20,16 @@ public:
     CpuSkinning(CpuSkinning&&) noexcept;
     CpuSkinning& operator=(CpuSkinning&&) noexcept;
 
-    // Deforms the instance's positions (one result per MeshData::positions).
+    // Both functions take the transforms of all joints in model space (one per Skeleton::joints) and the
+    // parameters (one per Model::parameters), as Animator gives them. `instance` is one of model.instances.
+    //
+    // Fills `out` with the deformed positions, one per MeshData::positions.
     void positions(const Model& model, const MeshInstance& instance,
                    const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
                    std::vector<glm::vec3>& out);
 
-    // Deforms the vertices: one position and one unit normal each.
+    // Fills the outputs with the position and the unit normal of each vertex (MeshData::vertexPositions). The
+    // normals of lines are zero.
     void vertices(const Model& model, const MeshInstance& instance,
                   const std::vector<glm::mat4>& modelTransforms, std::span<const float> parameters,
                   std::vector<glm::vec3>& outPositions, std::vector<glm::vec3>& outNormals);

@@ -21,20 +21,21 @@
 
 namespace walkcycle {
 
-// Which axis of a document's space points up (COLLADA 1.4.1, chapter 5, <up_axis>).
+// The axis that points up in a document's space (COLLADA 1.4.1, chapter 5, <up_axis>).
 enum class UpAxis { X, Y, Z };
 
-// The document's <asset>. Unit and axis are those of the vertex data and transforms, converted or not; what LoadOptions
-// says instead of the document is here.
+// The document's <asset> (COLLADA 1.4.1, chapter 5). Unit and axis are those of the meshes, key frames and
+// bind matrices, also if model transforms are converted (see Model). Values that LoadOptions replaces are the
+// replacements.
 struct Asset {
     std::string version;        // of the COLLADA schema: "1.4.1"
-    std::string authoringTool;  // of the first <contributor>; empty where it says nothing
+    std::string authoringTool;  // of the first <contributor>; empty if there is none
     std::string unitName = "meter";
-    double metersPerUnit = 1.0;  // over 0
+    double metersPerUnit = 1.0;  // positive
     UpAxis upAxis = UpAxis::Y;
 };
 
-// One step of deforming a mesh: a <controller>.
+// One step of deforming a mesh: a <controller> with a <morph> or <skin>.
 struct Deformer {
     enum class Kind { Morph, Skin };
     Kind kind = Kind::Skin;
@@ -42,23 +43,23 @@ struct Deformer {
     int influences = 0;  // Skin: index into Model::influences
 };
 
-// The material of one part of one instance, and which texture coordinates its pictures use.
+// The material of one part of an instance, and the texture coordinates of its textures.
 struct PartMaterial {
     int material = -1;  // index into Model::materials; -1: none is bound
-    // Per Slot: index into MeshData::texCoordSets; -1 where it has none.
+    // Per Slot: index into MeshData::texCoordSets; -1 if the slot has no texture.
     std::array<int, kSlotCount> texCoordSets{};
 };
 
-// An <instance_geometry> or <instance_controller> that is drawn.
+// A drawn <instance_geometry> or <instance_controller>: a mesh at a node of the scene.
 struct MeshInstance {
     int node = 0;                         // index into Skeleton::joints
     int mesh = 0;                         // index into Model::meshes
-    std::string sourceUrl;                // as the instance has it: "#body-skin"
+    std::string sourceUrl;                // its `url`: "#body-skin"
     std::vector<Deformer> deformers;      // innermost first; empty for a rigid mesh
     std::vector<PartMaterial> materials;  // one per entry of MeshData::parts
 };
 
-// What a Parameter belongs to. `object` and `component` say which number of it.
+// The kind of a Parameter, and what its `object` and `component` mean.
 enum class ParameterKind {
     MorphWeight,    // object: Model::morphs, component: target
     CameraValue,    // object: Model::cameras, component: CameraComponent
@@ -68,9 +69,9 @@ enum class ParameterKind {
     MaterialValue,  // object: Model::materials, component: MaterialComponent
     NodeVisible     // object: Skeleton::joints
 };
-// Of a SceneCamera: fields of view in degrees, magnifications and distances in the document's unit.
+// The animated numbers of a SceneCamera. Units as there: angles in degrees, distances in the document's unit.
 enum class CameraComponent { XFov, YFov, XMag, YMag, Aspect, ZNear, ZFar };
-// Of a SceneLight: the angle in degrees.
+// The animated numbers of a SceneLight. The angle is in degrees.
 enum class LightComponent {
     Intensity,
     ConstantAttenuation,
@@ -79,36 +80,36 @@ enum class LightComponent {
     FalloffAngle,
     FalloffExponent
 };
-// Of a Material.
+// The animated numbers of a Material.
 enum class MaterialComponent { Shininess, Reflectivity, Transparency, IndexOfRefraction };
 
-// A number of the model that animations may change and that is not part of a joint's transform: every morph
-// weight, and those other numbers that a channel targets.
+// A number of the model that animations may change and that belongs to no joint transform. Every morph weight
+// is one; other numbers are one if a channel of the file targets them.
 struct Parameter {
     ParameterKind kind = ParameterKind::MorphWeight;
-    int object = 0;          // an index, into what ParameterKind says
-    int component = 0;       // as ParameterKind says
+    int object = 0;          // index into the vector that ParameterKind names
+    int component = 0;       // which number of the object: see ParameterKind
     float restValue = 0.0f;  // the value while no animation moves it
 };
 
-// Thrown where a clip is asked for by a name that no clip has; what() lists those that there are.
+// Thrown by Model::animation() if no clip has the name. what() lists the names of all clips.
 struct WALKCYCLE_API NoSuchClip : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Everything that a file holds, as plain data: no XML, no OpenGL.
+// The contents of a file as plain data: no XML, no OpenGL.
 //
-// Spaces: positions, key frames and bind matrices are in the document's own axes and unit (Asset). Model transforms, and
-// with them all that is posed, are in metres with Y up, by Skeleton::rootTransform, unless LoadOptions::convert was off.
-// Times are seconds of the document's timeline. Indices are valid: a file that refers to what is not there is reported,
-// and what refers to it is left out. All numbers are finite.
+// Spaces: meshes, key frames and bind matrices are in the document's own axes and unit (Asset). Model
+// transforms, and all that they place, are in metres with Y up: Skeleton::rootTransform converts, unless
+// LoadOptions::convert was off. Times are seconds of the document's timeline. All indices are valid: a
+// reference to a missing element is reported, and its owner left out. All numbers are finite.
 struct WALKCYCLE_API Model {
     std::string file;  // as the caller named it
     Asset asset;
-    std::string sceneId;                  // of the <visual_scene> that is shown; empty where it has none
+    std::string sceneId;                  // of the <visual_scene> that is shown; empty if it has no id
     Skeleton skeleton;                    // every node of the scene, parents first
-    std::vector<bool> nodeVisible;        // one per joint, at rest
-    std::vector<MeshData> meshes;         // each that is drawn, once
+    std::vector<bool> nodeVisible;        // one per joint, at rest; a hidden node hides its children, too
+    std::vector<MeshData> meshes;         // each drawn mesh once
     std::vector<MorphTargets> morphs;     // one per <morph>; its instances share it
     std::vector<Skin> skins;              // one per instance of a skin
     std::vector<Influences> influences;   // one per <skin>; its instances share it (see Deformer)
@@ -120,32 +121,34 @@ struct WALKCYCLE_API Model {
     std::vector<SceneLight> lights;
     std::vector<LightInstance> lightInstances;
     std::vector<Parameter> parameters;
-    // [0] is the whole timeline, named like the file; the file's own clips (<animation_clip>) follow. Empty where nothing
-    // moves.
+    // [0] is the whole timeline, named after the file; the clips of the file (<animation_clip>) follow. Empty
+    // if nothing is animated.
     std::vector<Animation> animations;
-    std::vector<Diagnostic> diagnostics;  // what is wrong with the file, in the order in which it was met
-    std::shared_ptr<const ExactMotion> exactMotion;  // the curves of animations[0]; null where nothing moves
+    std::vector<Diagnostic> diagnostics;  // the faults of the file, in the order in which they were found
+    std::shared_ptr<const ExactMotion>
+        exactMotion;  // the curves of animations[0]; null if nothing is animated
 
-    // The value at rest of each of `parameters`.
+    // The rest value of each of `parameters`.
     std::vector<float> restParameters() const;
 
-    // The first of `animations` that has this name. Throws NoSuchClip.
+    // The first of `animations` with this name. Throws NoSuchClip if there is none.
     const Animation& animation(std::string_view name) const;
 };
 
-// Thrown by borrowClips where there is nothing that could be played.
+// Thrown by borrowClips() if no clip of the source can move the model. what() says why.
 struct WALKCYCLE_API NothingToBorrow : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The clips of `source` as they move `model`: for animations that are exported apart from their character. A channel
-// moves the joint of `model` whose id, name or sid is the id, name or sid of its own joint (ids are looked for first);
-// channels without such a joint are left out, and so are morph weights, cameras, lights and materials, which each file has
-// for itself. Distances are scaled from the unit of the one document to that of the other; axes are not turned: both
-// documents must have the same up axis.
+// The clips of `source`, bound to the joints of `model`: for animations that are exported without their
+// character. A channel moves the joint of `model` whose id, name or sid equals the id, name or sid of its own
+// joint; ids are compared first. Channels without such a joint are left out, and so are morph weights,
+// cameras, lights and materials. Distances are scaled from the unit of `source` to that of `model`. Axes are
+// not converted: both documents must have the same up axis.
 //
-// The result can be put behind Model::animations, or played by an Animator of the model's skeleton that it outlives.
-// Throws NothingToBorrow, saying which, where `source` has no animation or none of its moving joints is in `model`.
+// Append the result to Model::animations, or play it with an Animator of the model; the Animator must not
+// outlive it. Throws NothingToBorrow if `source` has no animation, or if `model` has none of the joints that
+// it moves.
 WALKCYCLE_API std::vector<Animation> borrowClips(const Model& source, const Model& model);
 
 }  // namespace walkcycle

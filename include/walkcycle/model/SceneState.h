@@ -8,18 +8,19 @@
 
 namespace walkcycle {
 
-// The materials, cameras, lights and visibility of a model at one moment. The constructor takes the model's
-// own values; apply() sets those that animated parameters change. (Morph weights are not here: they are read
-// from the parameters.)
+// The materials, cameras, lights and visibility of a model at one time. The constructor copies those of the
+// model at rest. (Morph weights are not here: deformers take them from the parameters.)
 struct WALKCYCLE_API SceneState {
     explicit SceneState(const Model& model);
 
-    void apply(const Model& model, std::span<const float> parameters);  // allocates nothing
+    // Sets the values that parameters animate. `model` is that of the constructor, and `parameters` has one
+    // value per Model::parameters. Allocates nothing.
+    void apply(const Model& model, std::span<const float> parameters);
 
-    std::vector<Material> materials;
+    std::vector<Material> materials;  // entries as in the vectors of Model
     std::vector<SceneCamera> cameras;
     std::vector<SceneLight> lights;
-    std::vector<bool> nodeVisible;
+    std::vector<bool> nodeVisible;  // one per joint
 };
 
 }  // namespace walkcycle
