@@ -13,7 +13,7 @@ namespace {
 constexpr float kHeightOfWhite = 4.0f;  // in texels
 
 float heightAt(const Image& image, int x, int y) {
-    const int column = (x + image.width) % image.width;  // textures mostly repeat
+    const int column = (x + image.width) % image.width;  // most textures repeat
     const int row = (y + image.height) % image.height;
     const std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
                               static_cast<std::size_t>(column);

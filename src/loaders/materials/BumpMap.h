@@ -4,11 +4,12 @@
 
 namespace walkcycle {
 
-// Whether a bump picture holds heights: those are grey, while normals are bluish.
+// Whether a bump picture holds heights. Heights are grey; pictures of normals are bluish.
 bool holdsHeights(const Image& image);
 
-// The normals of a surface with these heights, as colours: red and green are where it leans to the right and up, blue
-// is how much it faces us; 128 is none. The format does not say how high white is: four texels, here.
+// Converts heights to tangent-space normals, stored as colours: red and green are the slopes to the right and
+// up, blue is the part towards the viewer; 128 is 0. The format does not say how high white is; four texels
+// here.
 Image normalsOfHeights(const Image& heights);
 
 }  // namespace walkcycle

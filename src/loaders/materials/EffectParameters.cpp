@@ -3,7 +3,7 @@
 namespace walkcycle {
 namespace {
 
-// A <newparam> may say other things before its value.
+// The value of a <newparam> may follow other elements.
 XmlNode valueOf(XmlNode parameter) {
     for (XmlNode child : parameter.children())
         if (!child.is("annotate") && !child.is("semantic") && !child.is("modifier")) return child;

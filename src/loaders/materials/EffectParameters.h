@@ -8,25 +8,27 @@
 
 namespace walkcycle {
 
-// The <newparam>s and <setparam>s of elements that were asked before: many materials may share one effect.
+// The <newparam>s and <setparam>s of each element, indexed on the first use: many materials may share an
+// effect.
 class ParameterScopes {
 public:
-    // What the <newparam> of that sid, or the <setparam> of that ref, in the element holds.
+    // The value element of the <newparam> with this sid, or of the <setparam> with this ref, in `scope`.
     XmlNode value(XmlNode scope, std::string_view name);
 
 private:
     std::unordered_map<XmlNode, std::unordered_map<std::string_view, XmlNode>> known_;
 };
 
-// The named values of an effect: what a material's <setparam>s say first, then the <newparam>s of the technique, the
-// profile and the effect.
+// The parameters of an effect as a material uses it (COLLADA 1.4.1, chapter 7). The <setparam>s of the
+// material win, then the <newparam>s of the technique, of the profile, and of the effect.
 class EffectParameters {
 public:
     EffectParameters(XmlNode effect, XmlNode profile, XmlNode technique, XmlNode instanceEffect,
                      ParameterScopes& known)
         : effect_(effect), scopes_{instanceEffect, technique, profile, effect}, known_(known) {}
 
-    // The element that holds the value: <float>, <float4>, <surface>, <sampler2D>, ...; nothing where there is none.
+    // The element that holds the value: <float>, <float4>, <surface>, <sampler2D>, ...; nothing if there is
+    // no such parameter.
     XmlNode value(std::string_view sid) const;
 
     XmlNode effect() const { return effect_; }

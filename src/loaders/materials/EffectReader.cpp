@@ -37,7 +37,8 @@ constexpr std::array<SlotName, 6> kSlots = {{{"emission", Slot::Emission},
                                              {"reflective", Slot::Reflective},
                                              {"transparent", Slot::Transparent}}};
 
-// Where a picture cannot be had: white keeps a surface visible, and black keeps it from glowing or shining.
+// The colour that replaces a missing picture: white keeps a surface visible, and black keeps it from glowing
+// or shining.
 glm::vec4 standIn(Slot slot, OpaqueMode opaque) {
     const glm::vec4 white(1.0f), black(0.0f, 0.0f, 0.0f, 1.0f), nothing(0.0f);
     if (slot == Slot::Diffuse || slot == Slot::Ambient) return white;
@@ -46,6 +47,7 @@ glm::vec4 standIn(Slot slot, OpaqueMode opaque) {
     return opaque == OpaqueMode::AZero ? nothing : white;
 }
 
+// Clamped, so that it stays finite.
 float toFloat(double number) {
     constexpr double kMost = std::numeric_limits<float>::max();
     return static_cast<float>(std::clamp(number, -kMost, kMost));
@@ -115,7 +117,8 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
                             Material& material) {
     const XmlNode node = shader.child(name);
     if (!node) {
-        // COLLADA 1.4.1, "Determining transparency": without <transparent> all is opaque but for <transparency>.
+        // COLLADA 1.4.1, chapter 7, "Determining transparency": without <transparent>, only <transparency>
+        // counts.
         if (slot == Slot::Transparent) material.slot(slot).color = glm::vec4(1.0f);
         if (slot == Slot::Diffuse) useChosenPicture(parameters.effect().root(), material);
         return;
@@ -133,7 +136,8 @@ void EffectReader::readSlot(XmlNode shader, const char* name, Slot slot, const E
         useChosenPicture(parameters.effect().root(), material);
 }
 
-// Where the document has no diffuse picture that the user's could stand for, it goes on everything.
+// Puts the picture of LoadOptions::texture on every material of a document without diffuse pictures. (If
+// there are some, it replaces those.)
 void EffectReader::useChosenPicture(XmlNode collada, Material& material) {
     if (context_.options.texture.empty()) return;
     const auto [entry, isNew] = hasDiffusePictures_.try_emplace(collada, false);
@@ -169,7 +173,7 @@ void EffectReader::readNumber(XmlNode shader, const char* name, const EffectPara
     if (!numbers.empty()) number = toFloat(numbers.front());
 }
 
-// A part of a shader that says nothing is as if it were not there.
+// An element of a shader without a value is reported and ignored.
 void EffectReader::noValue(XmlNode node, const char* wanted) {
     context_.diagnostics.report(Severity::Warning, Code::MissingElement, node,
                                 {std::string(node.name()), wanted});
@@ -218,7 +222,7 @@ void EffectReader::readBump(XmlNode bump, const EffectParameters& parameters, Ma
     const std::string_view kind = bump.attribute("bumptype");
     const Image* image = imageOf(material, Slot::Bump);
     if (!image || image->rgba.empty()) return;
-    // Most exporters do not say which it is.
+    // Most exporters do not say which kind it is.
     const bool heights = kind.empty() ? holdsHeights(*image) : kind == "HEIGHTFIELD";
     int& index = material.slot(Slot::Bump).texture;
     if (heights) index = textures_.asNormals(index);

@@ -11,13 +11,14 @@
 
 namespace walkcycle {
 
-// Reads the profile_COMMON of an <effect>, as a material's <instance_effect> sets its parameters.
+// Reads the <profile_COMMON> of an <effect> (COLLADA 1.4.1, chapter 8), with the parameters that a material's
+// <instance_effect> sets.
 class EffectReader {
 public:
     EffectReader(const LoadContext& context, Model& model, PicturesAhead* ahead)
         : context_(context), model_(model), textures_(context, model, ahead) {}
 
-    // False, and reported, where the effect has nothing that can be shown.
+    // Fills `material`. Returns false, and reports it, if the effect has nothing that can be shown.
     bool read(XmlNode effect, XmlNode instanceEffect, Material& material);
 
 private:

@@ -37,7 +37,7 @@ struct MaterialLoader::Impl {
     Model& model;
     PicturesAhead pictures;
     EffectReader effects;
-    std::unordered_map<XmlNode, std::optional<Material>> effectsRead;
+    std::unordered_map<XmlNode, std::optional<Material>> effectsRead;  // empty: cannot be shown
     std::unordered_map<XmlNode, int> materials;  // <material> -> Model::materials; -1: cannot be shown
     std::unordered_map<XmlNode, NodesByName> materialsByName;  // by <COLLADA>
     std::unordered_multimap<XmlNode, int> elements;
@@ -63,7 +63,7 @@ int MaterialLoader::Impl::read(XmlNode material) {
                                    {std::string(material.id()), std::string(instance.attribute("url"))});
         return -1;
     }
-    // Materials that set nothing of their own share what is read of their effect.
+    // Materials without <setparam> share the result of reading their effect.
     const bool isOwn = static_cast<bool>(instance.child("setparam"));
     const auto [known, isNew] = effectsRead.try_emplace(isOwn ? XmlNode() : effect);
     if (isNew || isOwn) {
@@ -101,7 +101,8 @@ XmlNode MaterialLoader::Impl::named(XmlNode collada, std::string_view symbol) {
     return found == entry->second.end() ? XmlNode() : found->second;
 }
 
-// Parts without a symbol ask for no material.
+// The material of a part that <bind_material> does not map; -1 if there is none. A part without a symbol has
+// none.
 int MaterialLoader::Impl::guess(XmlNode instance, const MeshPart& part, const MeshData& mesh) {
     if (part.materialSymbol.empty()) return -1;
     const bool follows = context.dialects.follows(Quirk::MaterialBySymbol, instance);

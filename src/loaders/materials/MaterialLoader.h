@@ -10,20 +10,23 @@
 
 namespace walkcycle {
 
-// Reads materials as instances bind them: each <material> once (cached), its <effect>, samplers, surfaces and pictures.
+// Reads the materials that instances bind: each <material> once, with its <effect>, samplers, surfaces and
+// pictures.
 class MaterialLoader {
 public:
     MaterialLoader(const LoadContext& context, Model& model);
     ~MaterialLoader();
 
-    // Begins to decode the pictures that the document's <image>s name, on other threads, while other things are read.
+    // Begins to decode the pictures of the <image>s of a document on other threads, while other elements are
+    // read.
     void decodeAhead(XmlNode collada);
 
-    // One PartMaterial per part of the mesh, from the <bind_material> of an <instance_geometry> or
-    // <instance_controller> (which may be missing: parts then look for a material whose id or name is their symbol).
+    // Returns one PartMaterial per part of the mesh. `instance` is an <instance_geometry> or
+    // <instance_controller>, whose <bind_material> maps the symbols of the parts to materials. A symbol that
+    // it does not map is reported; the quirk material-by-symbol then takes the material with that id or name.
     std::vector<PartMaterial> bind(XmlNode instance, const MeshData& mesh);
 
-    // <effect> and <material> elements -> Model::materials, for animation channels.
+    // The <effect> and <material> elements of each entry of Model::materials, for animation channels.
     const std::unordered_multimap<XmlNode, int>& elements() const;
 
 private:
@@ -31,7 +34,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// Bump pictures lean along a surface's tangents: makes those of every mesh that has such a picture bound.
+// Computes the tangents of every mesh with a bump texture, whose normals are relative to them.
 void makeBumpTangents(Model& model);
 
 }  // namespace walkcycle

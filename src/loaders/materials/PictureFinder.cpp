@@ -24,7 +24,7 @@ constexpr std::array kUsualFolders = {"textures", "Textures", "texture", "Textur
                                       "maps",     "Maps",     "tex",     "materials/textures"};
 constexpr std::array kPictureEndings = {".png", ".jpg", ".jpeg", ".tga", ".bmp", ".gif", ".psd", ".webp"};
 
-// Each picture is within its limits, but not all of them together.
+// All pictures together exceed LoadLimits::maxTotalPixels, though each alone is within its limits.
 struct PicturesTooLarge : std::runtime_error {
     explicit PicturesTooLarge(std::uint64_t pixels) : std::runtime_error("too many pixels"), amount(pixels) {}
     std::uint64_t amount;
@@ -44,7 +44,8 @@ bool isPictureName(const std::string& name) {
                        [&](const char* known) { return !inAnotherCase({known}, ending).empty(); });
 }
 
-// Enough to tell a picture from a page of text without decoding it. TGA has no signature: its name must do.
+// Recognises a picture by its first bytes, without decoding it. TGA has no signature, so its extension must
+// do.
 bool looksLikePicture(const Bytes& bytes, const std::string& path) {
     const auto startsWith = [&](const char* signature) {
         const std::size_t length = std::strlen(signature);
@@ -131,16 +132,16 @@ std::optional<PictureFinder::File> PictureFinder::asWritten(XmlNode where, const
     return read(where, parts.path);
 }
 
-// Each place where people who move files about leave their pictures.
+// Tries the places where pictures are after files were moved. A file that has lost more than kMostGuesses
+// pictures has lost them all; each guess looks into a dozen folders.
 std::optional<PictureFinder::File> PictureFinder::guess(XmlNode where, const std::string& uri) {
-    // Each guess looks into a dozen folders; who has lost so many pictures has moved them all.
     constexpr int kMostGuesses = 1000;
     const std::string path = parseUri(uri).path;
     const std::string name = baseName(path);
     if (name.empty() || ++guesses_ > kMostGuesses) return {};
     if (std::optional<File> file = read(where, name)) return file;
-    if (std::optional<File> file = read(where, baseName(uri)))
-        return file;  // a per cent sign that is no escape
+    // The name may contain a per cent sign that is no escape.
+    if (std::optional<File> file = read(where, baseName(uri))) return file;
     const std::string folder = fs::path(path).parent_path().string();
     if (mayBeInside(where, path) && !folder.starts_with("..")) {
         if (std::optional<File> file = inFolder(where, folder, name)) return file;
@@ -162,7 +163,7 @@ std::optional<PictureFinder::File> PictureFinder::inFolder(XmlNode where, const 
     return similar.empty() ? std::nullopt : read(where, prefix + similar);
 }
 
-// "skin.dds" was made from "skin.png", or is now one.
+// Finds a picture with the same name and another extension: "skin.dds" may have been made from "skin.png".
 std::optional<PictureFinder::File> PictureFinder::inAnotherFormat(XmlNode where, const std::string& name) {
     const std::string stem = fs::path(name).stem().string();
     for (const std::string& other : context_.documents.listBeside(where, "")) {
@@ -178,7 +179,7 @@ std::optional<PictureFinder::File> PictureFinder::onlyPicture(XmlNode where) {
     return read(where, *std::find_if(names.begin(), names.end(), isPictureName));
 }
 
-// A folder that the path goes into and out of again ("sub/../skin.png") need not exist.
+// Reads a file beside the document. Path components that cancel out ("sub/../skin.png") need not exist.
 std::optional<PictureFinder::File> PictureFinder::read(XmlNode where, const std::string& path) {
     try {
         std::string found;
@@ -198,7 +199,8 @@ std::optional<PictureFinder::File> PictureFinder::read(XmlNode where, const std:
     return {};
 }
 
-// An absolute path is mostly one of the disk of whoever exported the file, and not worth a word about folders.
+// Whether a path may be read at all. An absolute path usually belongs to the disk of whoever exported the
+// file; it is skipped without a report about folders.
 bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
     if (isDrivePath(path)) return false;
     if (!fs::path(path).is_absolute() || !context_.options.allowedPaths.empty()) return true;
@@ -207,7 +209,8 @@ bool PictureFinder::mayBeInside(XmlNode where, const std::string& path) const {
     return !error && !fs::path(path).lexically_relative(folder).string().starts_with("..");
 }
 
-// Small files can hold large pictures, and a document can name many of them.
+// Decodes a picture. Small files can hold large pictures, and a document can name many, so the total is
+// limited.
 std::shared_ptr<const Image> PictureFinder::decodeWithinLimits(const File& file) {
     const LoadLimits& limits = context_.options.limits;
     const auto decoded = context_.options.imagePixels ? decodeImage : measureImage;
@@ -232,7 +235,7 @@ PictureFinder::Picture PictureFinder::decode(XmlNode where, const std::string& n
         if (context_.options.loadImages)
             image = decodeWithinLimits(file);
         else if (!looksLikePicture(file.bytes, file.path))
-            throw ImageError("it does not begin as any kind of picture does");
+            throw ImageError("its first bytes are those of no known picture format");
     } catch (const PicturesTooLarge& error) {
         tooLarge(error.amount, &LoadLimits::maxTotalPixels);
     } catch (const ImageTooLarge& error) {
@@ -243,7 +246,7 @@ PictureFinder::Picture PictureFinder::decode(XmlNode where, const std::string& n
     return {file.path, image};
 }
 
-// At the element that names the picture; the user's own has none.
+// Reports at the element that names the picture. The picture of LoadOptions::texture has none.
 void PictureFinder::report(Code code, XmlNode where, const std::string& path,
                            Diagnostics::Arguments arguments) {
     if (where)

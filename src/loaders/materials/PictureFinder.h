@@ -13,25 +13,27 @@
 
 namespace walkcycle {
 
-// Finds and decodes the pictures that <image>s name, each once. In order: the path as the file has it; its base name
-// beside the document; both in another case; the usual subfolders; that name with another ending; the folder's only picture. All but the first is a
-// guess and says so. Never the network, and nothing outside the document's folder tree unless it is allowed.
+// Finds and decodes the pictures of <image>s, each once. It tries the path as in the file; then its base name
+// beside the document; both in another case; the usual subfolders; the base name with another extension; the
+// only picture in the folder. All but the first are guesses, and are reported. It never uses the network, and
+// opens nothing outside the folder tree of the document unless LoadOptions::allowedPaths has it.
 class PictureFinder {
 public:
-    // `ahead` may hold pictures that are decoded already; null: none are.
+    // `ahead` may have decoded some pictures already; null if there is none.
     explicit PictureFinder(const LoadContext& context, PicturesAhead* ahead = nullptr)
         : context_(context), ahead_(ahead) {}
 
     struct Picture {
-        std::string path;                    // the file that was found; empty where none was
-        std::shared_ptr<const Image> image;  // null where it is missing, broken, or images were not asked for
+        std::string path;  // the file that was found; empty if none was
+        std::shared_ptr<const Image>
+            image;  // null if it is missing, broken, or not asked for (LoadOptions::loadImages)
     };
 
-    // `where` is the element that names the picture: its document is where the search starts.
+    // `where` is the element that names the picture. Paths are relative to its document.
     const Picture& find(XmlNode where, const std::string& uri);
-    // The picture whose bytes stand in the document itself, as hexadecimal digits.
+    // A picture whose bytes are in the document itself, as hexadecimal digits.
     const Picture& embedded(XmlNode hex);
-    // The picture that the user gave for every diffuse texture.
+    // The picture of LoadOptions::texture, which replaces every diffuse texture.
     const Picture& chosenByUser();
 
 private:
@@ -55,8 +57,8 @@ private:
     PicturesAhead* ahead_;
     std::map<std::pair<std::string, std::string>, Picture> pictures_;  // by document and URI
     std::map<std::string, std::shared_ptr<const Image>> images_;       // by path
-    int guesses_ = 0;
-    std::uint64_t pixels_ = 0;  // of all pictures together
+    int guesses_ = 0;           // how many searches have needed guesses
+    std::uint64_t pixels_ = 0;  // of all pictures together, for LoadLimits::maxTotalPixels
 };
 
 }  // namespace walkcycle

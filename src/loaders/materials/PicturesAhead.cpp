@@ -14,7 +14,8 @@
 namespace walkcycle {
 namespace {
 
-// Less is decoded in about the time that a thread takes to start and its picture to change hands.
+// Bytes of all files together. Fewer are decoded in about the time that it takes to start a thread and hand
+// over the picture.
 constexpr std::uint64_t kWorthAThread = std::uint64_t{1} << 18;
 
 std::string uriOf(XmlNode image) {
@@ -22,7 +23,8 @@ std::string uriOf(XmlNode image) {
     return ref ? ref.text() : init.text();
 }
 
-// Each holds one picture more than the limit of all together, which is counted when a picture is there.
+// Each thread may hold one picture beyond LoadLimits::maxTotalPixels, because pixels are counted after
+// decoding.
 constexpr std::size_t kMostThreads = 3;
 
 }  // namespace
@@ -44,7 +46,8 @@ void PicturesAhead::begin(XmlNode collada, const DocumentSet& documents, const L
     try {
         while (threads_.size() < threads)
             threads_.emplace_back([this, limits = options.limits] { work(limits); });
-    } catch (const std::system_error&) {  // no more threads for us: the others, or the caller, do it all
+    } catch (
+        const std::system_error&) {  // the system has no more threads: the others, or the caller, decode all
     }
 }
 
@@ -81,11 +84,11 @@ void PicturesAhead::work(const LoadLimits& limits) {
         try {
             image = std::make_shared<const Image>(
                 decodeImage(readFile(item->path, limits.maxFileBytes), limits.image()));
-        } catch (const std::exception&) {  // the caller's to find out
+        } catch (const std::exception&) {  // the caller decodes it again and reports the fault
         }
         const std::lock_guard lock(mutex_);
         if (image) pixels_ += static_cast<std::uint64_t>(std::int64_t{image->width} * image->height);
-        // Who asks for too many gets his message; here no more are decoded than a load may hold.
+        // If all pictures together exceed the limit, decoding stops here; PictureFinder reports it.
         if (pixels_ > limits.maxTotalPixels) image = nullptr, leaveWaiting();
         item->state = image ? State::Done : State::Left;
         item->image = std::move(image);

@@ -15,23 +15,24 @@
 
 namespace walkcycle {
 
-// Decodes a document's pictures on other threads while its meshes are read. It says nothing of what goes wrong: whoever
-// needs a picture that could not be decoded here does so himself, and reports what there is to report.
-// Without it, `check res/walker.dae` takes 12 % more wall time, and 41 % with four textures of 2048 x 2048 pixels.
+// Decodes the pictures of a document on other threads while its meshes are read. It reports nothing: a
+// picture that fails here is decoded again by the caller, who reports the fault. Without it, `check
+// res/walker.dae` takes 12 % more wall time, and 41 % with four textures of 2048 x 2048 pixels.
 class PicturesAhead {
 public:
     PicturesAhead() = default;
-    ~PicturesAhead();  // waits for the pictures that are being decoded; leaves the others
+    ~PicturesAhead();  // waits for the pictures that are being decoded; skips the others
 
-    // Begins with the pictures that the <image>s of a document name, where they lie as written, beside the document on
-    // disk, and are so large that it is worth a thread.
+    // Starts the threads. They decode the pictures that the <image>s of a document name, if the files are
+    // where the document says and large enough together to be worth a thread.
     void begin(XmlNode collada, const DocumentSet& documents, const LoadOptions& options);
 
-    // A picture that was decoded ahead, or is being decoded; null where none was, which is then the caller's.
+    // Returns a picture, waiting for it if it is being decoded. Null if it is not decoded here; then the
+    // caller decodes it.
     std::shared_ptr<const Image> take(const std::string& path);
 
 private:
-    enum class State { Waiting, Working, Done, Left };
+    enum class State { Waiting, Working, Done, Left };  // Left: to the caller
     struct Item {
         std::string path;
         State state = State::Waiting;
@@ -40,11 +41,11 @@ private:
     void collect(XmlNode collada, const DocumentSet& documents, const LoadOptions& options);
     void work(const LoadLimits& limits);
     Item* next();
-    void leaveWaiting();  // with the mutex held
+    void leaveWaiting();  // call it with the mutex held
 
     std::vector<Item> items_;  // not resized while threads work
     std::vector<std::thread> threads_;
-    std::uint64_t pixels_ = 0;  // decoded
+    std::uint64_t pixels_ = 0;  // decoded so far
     std::mutex mutex_;          // guards the items' states and pictures, and pixels_
     std::condition_variable done_;
 };

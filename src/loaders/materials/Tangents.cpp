@@ -13,12 +13,13 @@
 namespace walkcycle {
 namespace {
 
+// The directions in which u and v grow, or sums of such directions.
 struct Frame {
     glm::dvec3 tangent{0.0};
     glm::dvec3 bitangent{0.0};
 };
 
-// The directions of growing u and v on a triangle; zero where the picture has no area on it.
+// The directions in which u and v grow on a triangle; zero if the triangle has no area in the picture.
 Frame frameOf(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& uv) {
     const glm::dvec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
     const glm::dvec2 d1 = uv[1] - uv[0], d2 = uv[2] - uv[0];

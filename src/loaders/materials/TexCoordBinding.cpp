@@ -17,7 +17,7 @@ int indexOfSet(const MeshData& mesh, int set) {
     return -1;
 }
 
-// "UVSET1", "TEX1", "CHANNEL1", "uv1": set 1, or where no set has that number, the second one.
+// "UVSET1", "TEX1", "CHANNEL1" and "uv1" mean set 1 or, if no set has that number, the second set.
 int guessFromName(std::string_view name, const MeshData& mesh) {
     std::size_t digits = name.size();
     while (digits > 0 && name[digits - 1] >= '0' && name[digits - 1] <= '9') --digits;

@@ -28,7 +28,7 @@ constexpr std::array<Word<Wrap>, 5> kWraps = {{{"WRAP", Wrap::Repeat},
                                                {"BORDER", Wrap::Border},
                                                {"NONE", Wrap::None}}};
 
-// NONE is the format's word for "the program may choose", and stays at our own choice.
+// NONE means that the program may choose, so it has the default filter.
 constexpr std::array<Word<Filter>, 8> kFilters = {{{"NONE", Filter::LinearMipmapLinear},
                                                    {"NEAREST", Filter::Nearest},
                                                    {"LINEAR", Filter::Linear},
@@ -52,7 +52,7 @@ void readWord(XmlNode node, const std::array<Word<Value>, N>& words, Value& valu
     diagnostics.report(Code::WordUnknown, node, {text, std::string(node.name()), didYouMean(text, known)});
 }
 
-// COLLADA 1.5 says in an element of its own how mipmaps are mixed.
+// COLLADA 1.5 has an element of its own for the filter between mipmaps.
 Filter withMipmaps(Filter filter, std::string_view mipFilter) {
     if (mipFilter == "LINEAR")
         return filter == Filter::Nearest ? Filter::NearestMipmapLinear : Filter::LinearMipmapLinear;
@@ -61,7 +61,7 @@ Filter withMipmaps(Filter filter, std::string_view mipFilter) {
     return filter;
 }
 
-// The picture itself, not its smaller copies or other slices: those say so with attributes.
+// The <init_from> of the picture itself. Those of its mipmaps and other slices have attributes.
 XmlNode mainInitFrom(XmlNode surface) {
     const auto isFirst = [](XmlNode node, const char* attribute) {
         return !node.has(attribute) || node.attribute(attribute) == "0";
@@ -71,7 +71,7 @@ XmlNode mainInitFrom(XmlNode surface) {
     return surface.child("init_from");
 }
 
-// Where an <image> says what it shows; COLLADA 1.5 may put it one step further in.
+// The <init_from> of an <image>. COLLADA 1.5 may put it into another element.
 XmlNode initOf(XmlNode image) {
     if (const XmlNode init = image.child("init_from")) return init;
     for (const char* create : {"create_2d", "create_3d", "create_cube"})
@@ -164,8 +164,8 @@ XmlNode TextureReader::imageOfSurface(XmlNode surface, XmlNode texture, const Ef
     return {};
 }
 
-// By id, as the format has it ("#id" as a courtesy), or by name, as some hands write it. Never in another document: an
-// IDREF cannot say so.
+// The <image> with this id ("#id" is accepted) or name (as some files by hand have it). It is searched in the
+// same document only, because an IDREF cannot name another.
 XmlNode TextureReader::imageNamed(XmlNode from, const std::string& name) {
     if (name.empty()) return {};
     const XmlNode collada = from.root();
@@ -195,7 +195,7 @@ void TextureReader::readSampler(XmlNode sampler, Texture& texture) {
     readWord(sampler.child("minfilter"), kFilters, texture.minFilter, diagnostics);
     readWord(sampler.child("magfilter"), kFilters, texture.magFilter, diagnostics);
     texture.minFilter = withMipmaps(texture.minFilter, sampler.child("mipfilter").text());
-    // Enlarging knows no mipmaps.
+    // Mipmaps are not used for enlarging.
     texture.magFilter = texture.magFilter == Filter::Nearest ? Filter::Nearest : Filter::Linear;
     if (const XmlNode border = sampler.child("border_color")) {
         const std::vector<double> numbers = readDoubles(border, diagnostics, NumberFaults::Warning);

@@ -14,18 +14,21 @@
 
 namespace walkcycle {
 
-// Follows an effect's <texture> to its picture: sampler, surface, <image>, file. In COLLADA 1.5 the sampler names the
-// image itself; the quirk texture-names-image lets the <texture> do so.
+// Reads the <texture>s of effects. A <texture> names a sampler, whose surface names an <image>, which names a
+// file (COLLADA 1.4.1, chapter 7). In COLLADA 1.5 the sampler names the <image>; the quirk
+// texture-names-image lets the <texture> name it.
 class TextureReader {
 public:
     TextureReader(const LoadContext& context, Model& model, PicturesAhead* ahead)
         : context_(context), model_(model), pictures_(context, ahead) {}
 
-    // An index into Model::textures (its picture may be missing); -1 where the way ends before an <image>, reported.
+    // Returns an index into Model::textures, whose picture may be missing; -1, and reported, if there is no
+    // <image>.
     int read(XmlNode texture, const EffectParameters& parameters, Slot slot);
-    // The texture that the user chose for what has none.
+    // The texture with the picture of LoadOptions::texture, for materials that have none.
     int chosen();
-    // A texture of heights as one of normals, which is what a bump slot holds. Made once.
+    // Returns the index of a copy of a texture whose heights are converted to normals, as a bump slot needs
+    // them.
     int asNormals(int texture);
 
 private:
@@ -39,10 +42,10 @@ private:
     const LoadContext& context_;
     Model& model_;
     PictureFinder pictures_;
-    std::map<int, int> normals_;
+    std::map<int, int> normals_;  // texture of heights -> texture of normals
     std::unordered_map<XmlNode, std::unordered_map<std::string_view, XmlNode>> imagesByName_;  // by <COLLADA>
-    std::map<std::tuple<const void*, const void*, bool>, int>
-        indices_;  // by image, sampler, and whether the user chose
+    // By <image>, sampler, and whether LoadOptions::texture replaces the picture.
+    std::map<std::tuple<const void*, const void*, bool>, int> indices_;
 };
 
 }  // namespace walkcycle
