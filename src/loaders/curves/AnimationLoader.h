@@ -13,14 +13,16 @@
 
 namespace walkcycle {
 
-// What a document says about motion, exactly: its curves at work, and the clips that it cuts them into.
+// The exact motion of a document: its curves, bound to joints and parameters, and the clips that
+// <animation_clip>s cut out of it.
 struct LoadedMotion {
-    std::shared_ptr<const Motion> motion;  // null where nothing moves
+    std::shared_ptr<const Motion> motion;  // null if nothing is animated
     std::vector<ClipRange> clips;
 };
 
-// Reads every <animation> and <animation_clip> of the root document, and what they move. Appends to model.parameters. All
-// else of the model must be loaded; AnimationFitter makes key frames of the result.
+// Reads every <animation> and <animation_clip> of the root document, and appends the parameters that they
+// animate to model.parameters. All other parts of the model must be loaded before. AnimationFitter makes key
+// frames of the result.
 LoadedMotion loadAnimations(XmlNode collada, const SceneGraph& scene, const AnimationTargets& targets,
                             const LoadContext& context, Model& model);
 

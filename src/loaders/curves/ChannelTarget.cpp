@@ -11,7 +11,7 @@ namespace walkcycle {
 
 namespace {
 
-// A target's last name, with what may be a member or index after it cut off.
+// The last name of a target, and a member or indices cut off from its end.
 struct Ending {
     std::string_view name, member;
     std::vector<int> indices;
@@ -33,7 +33,7 @@ std::optional<Ending> cutIndices(std::string_view text) {
     return ending;
 }
 
-// The readings of the last name, the most literal first.
+// The possible readings of the last name, the most literal first.
 std::vector<Ending> readings(std::string_view last) {
     std::vector<Ending> all{{last, {}, {}}};
     if (auto indexed = cutIndices(last)) all.push_back(std::move(*indexed));
@@ -52,7 +52,8 @@ std::vector<std::string_view> splitPath(std::string_view text) {
 
 }  // namespace
 
-// Nearly always it is among the first children; all else is looked up in a list that is made once.
+// Fast path: nearly always, the sid is that of one of the first children. For others, the descendants are
+// indexed once.
 XmlNode SidFinder::find(XmlNode from, std::string_view sid) {
     constexpr int kFirstChildren = 16;
     if (sid.empty()) return {};
@@ -61,8 +62,8 @@ XmlNode SidFinder::find(XmlNode from, std::string_view sid) {
         if (child.sid() == sid) return child;
     const auto [entry, isNew] = below_.try_emplace(from);
     if (isNew) {
-        constexpr std::size_t kMostElements = 20'000;  // targets nest, and what is below one is below others
-        std::vector<XmlNode> level{from};  // nearest first, which XmlNode::descendants() does not give
+        constexpr std::size_t kMostElements = 20'000;  // nested elements are indexed once per level
+        std::vector<XmlNode> level{from};              // breadth first; XmlNode::descendants() is depth first
         for (std::size_t i = 0; i < level.size() && level.size() < kMostElements; ++i)
             for (XmlNode below : level[i].children()) {
                 entry->second.try_emplace(below.sid(), below);

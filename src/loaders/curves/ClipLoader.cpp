@@ -8,7 +8,7 @@ namespace walkcycle {
 
 namespace {
 
-// What <instance_animation>s an <animation_clip> has; those that lead nowhere are reported.
+// Reads the <instance_animation>s of an <animation_clip>. Those that refer to no <animation> are reported.
 void readInstances(XmlNode element, const AnimationTree& tree, const LoadContext& context, ClipRange& clip) {
     for (XmlNode instance : element.children("instance_animation")) {
         const XmlNode animation = context.documents.follow(instance, "url", "animation");
@@ -36,7 +36,7 @@ AnimationTree readAnimationTree(XmlNode collada) {
     AnimationTree tree;
     for (XmlNode library : collada.children("library_animations")) {
         const XmlNode::Descendants elements = library.descendants();
-        std::vector<XmlNode> open;  // the <animation>s around the element, outermost first
+        std::vector<XmlNode> open;  // the <animation>s around the current element, outermost first
         const auto closeBelow = [&](int depth) {
             while (static_cast<int>(open.size()) >= depth) {
                 tree.channelsOf[open.back()].second = static_cast<int>(tree.channels.size());

@@ -22,8 +22,8 @@ double cubicSlope(double a, double b, double c, double d, double s) {
 
 }  // namespace
 
-// Newton's method. If a step would leave the bracket, the bracket is halved instead. The time never falls along the
-// curve, so there is one answer (or one flat stretch of them).
+// Newton's method. If a step would leave the bracket, the bracket is halved instead. The time never falls
+// along the curve, so there is one answer (or one flat stretch of them).
 double bezierParameter(double a, double b, double c, double d, double seconds) {
     if (!(d > a)) return 0.0;
     double low = 0.0, high = 1.0, s = std::clamp((seconds - a) / (d - a), 0.0, 1.0);
@@ -60,8 +60,8 @@ Curve::KeyTime Curve::keyTimeOf(double seconds, Side side) const {
     return {start() + within, side, infinity == Infinity::CycleRelative ? cycle : 0.0};
 }
 
-// The segment of a time between the first and the last key: [key, next key) from the right, (key, next key] from the
-// left.
+// The segment of a time between the first and the last key. Side::Right: the segment with key <= time < next
+// key; Side::Left: the one with key < time <= next key.
 std::size_t Curve::segmentAt(double seconds, Side side) const {
     const auto above = side == Side::Right ? std::upper_bound(times.begin(), times.end(), seconds)
                                            : std::lower_bound(times.begin(), times.end(), seconds);
@@ -69,7 +69,7 @@ std::size_t Curve::segmentAt(double seconds, Side side) const {
     return std::min(static_cast<std::size_t>(key), segments.size() - 1);
 }
 
-// Tries the segment of the time before and the next one first.
+// Tries the segment `near` and the one after it first.
 std::size_t Curve::segmentAt(double seconds, Side side, std::size_t near) const {
     for (std::size_t k = near; k < near + 2 && k < segments.size(); ++k) {
         const double from = times[k], to = times[k + 1];
@@ -92,7 +92,8 @@ void Curve::evaluateInside(double seconds, Side side, std::span<double> out, std
     }
     const std::size_t k = hint = segmentAt(seconds, side, hint);
     const double length = times[k + 1] - times[k];
-    const double progression = length > 0.0 ? (seconds - times[k]) / length : 0.0;  // seen from the left
+    const double progression =
+        length > 0.0 ? (seconds - times[k]) / length : 0.0;  // length is 0 at a jump, seen from the left
     const double* a = &values[k * width];
     if (segments[k].kind == Kind::Step || progression <= 0.0) {
         std::copy_n(a, width, out.begin());
@@ -183,8 +184,8 @@ void Curve::knots(double from, double to, std::size_t limit, std::vector<double>
     double first = 0.0, last = 0.0;  // the cycles that overlap the range
     if (length > 0.0 && repeats(before)) first = std::min(0.0, std::floor((from - start()) / length));
     if (length > 0.0 && repeats(after)) last = std::max(0.0, std::ceil((to - end()) / length));
-    // The cycles are counted in integers: far from zero, a double plus one is the same double. Each cycle but the
-    // outermost has a knot in the range.
+    // The cycles are counted in integers: far from zero, a double plus one is the same double. Each cycle but
+    // the outermost has a knot in the range.
     for (std::size_t n = 0; n < limit + 2 && out.size() < most; ++n) {
         const double cycle = first + static_cast<double>(n);
         if (cycle > last) break;

@@ -12,14 +12,17 @@
 
 namespace walkcycle {
 
-// What a curve does before its first and after its last key.
+// How a curve continues before its first and after its last key. Constant: it holds the value. Linear: it
+// continues with its slope. Cycle: it repeats. CycleRelative: it repeats, each time starting from the last
+// value. Oscillate: it repeats forwards and backwards.
 enum class Infinity : std::uint8_t { Constant, Linear, Cycle, CycleRelative, Oscillate };
 
-// Which value to take at a jump: the one just before it, or the one from it on.
+// The side of a jump: Left is the value just before it, Right the value from it on.
 enum class Side : std::uint8_t { Left, Right };
 
-// The values of a <sampler> over time, in double. Three kinds of segments are enough for all interpolations of COLLADA,
-// since HERMITE, CARDINAL and BSPLINE are Bezier curves given by other numbers (see CurveBuilder).
+// The values of a <sampler> over time, in double precision. Three kinds of segments are enough for all
+// interpolations of COLLADA, because HERMITE, CARDINAL and BSPLINE are converted to Bezier curves (see
+// CurveBuilder).
 class Curve {
 public:
     enum class Kind : std::uint8_t { Step, Linear, Bezier };
@@ -33,7 +36,7 @@ public:
     std::vector<double> values;       // width per key
     std::vector<Segment> segments;    // one fewer than keys
     std::vector<glm::dvec2> handles;  // (seconds, value) of the Beziers' inner control points
-    std::vector<MatrixParts> parts;   // one per key if the values are whole matrices; LINEAR blends these
+    std::vector<MatrixParts> parts;   // one per key if the values are matrices; Linear segments blend them
     Infinity before = Infinity::Constant, after = Infinity::Constant;
 
     double start() const { return times.front(); }
@@ -48,27 +51,29 @@ public:
     // The same, faster for many times in order: `hint` is the segment of the time before (0 at first).
     void evaluate(double seconds, Side side, std::span<double> out, std::size_t& hint) const;
 
-    // The matrix between two LINEAR keys that are whole matrices, without writing out its numbers. Nothing elsewhere.
+    // The matrix at a time between two keys of a Linear segment whose values are matrices, without the detour
+    // over 16 numbers. Nothing at other times.
     std::optional<glm::dmat4> blendedAt(double seconds, Side side) const;
 
     // True if no value changes between two times. There must be no knot between them.
     bool holds(double from, double to) const;
     bool holds(double from, double to, std::size_t& hint) const;  // as in evaluate()
 
-    // Appends the times within [from, to] at which a new segment begins, at most `limit` of them.
+    // Appends the times within [from, to] at which a segment begins, at most `limit` of them. These are the
+    // knots.
     void knots(double from, double to, std::size_t limit, std::vector<double>& out) const;
 
-    // An upper bound of how far a component moves between two times, back and forth counted both. There must be no knot
-    // between them.
+    // An upper bound of the distance that a component travels between two times, back and forth added up.
+    // There must be no knot between them. `hint` as in evaluate().
     double travel(double from, double to, std::size_t component, std::size_t& hint) const;
 
 private:
-    // Any time, mapped to a time between the first and the last key.
+    // A time that is mapped into the range of the keys.
     struct KeyTime {
         double seconds = 0.0;
         Side side = Side::Right;
         double cycles =
-            0.0;  // CycleRelative: how often to add the difference between the last and the first key
+            0.0;  // CycleRelative: how often to add the difference of the last and the first value
         double beyond = 0.0;  // Linear: seconds after the last key, or (negative) before the first
     };
     KeyTime keyTimeOf(double seconds, Side side) const;
@@ -79,8 +84,8 @@ private:
     double slope(bool atEnd, std::size_t component) const;
 };
 
-// The parameter at which a cubic Bezier curve reaches the time `seconds`. a, b, c and d are the times of its control
-// points, in order.
+// The parameter at which a cubic Bezier curve reaches the time `seconds`. a, b, c and d are the times of its
+// control points, in order.
 double bezierParameter(double a, double b, double c, double d, double seconds);
 
 }  // namespace walkcycle

@@ -20,13 +20,14 @@ struct Points {
 
     glm::dvec2 at(std::size_t i) const { return {keys.times[i], keys.values[i * keys.width + component]}; }
 
-    // Beyond its ends a spline has mirrored points. With these it starts and ends at its end keys, without curvature.
+    // Before its first and after its last key, a spline continues with mirrored points. So it starts and ends
+    // at its end keys, without curvature there.
     glm::dvec2 before(std::size_t i) const { return i > first ? at(i - 1) : 2.0 * at(i) - at(i + 1); }
     glm::dvec2 after(std::size_t i) const { return i < last ? at(i + 1) : 2.0 * at(i) - at(i - 1); }
 };
 
-// What the file gives for a key: for BEZIER a control point, for HERMITE a tangent. Tangents of one number have no time.
-// Then time runs evenly, and the control points are at the thirds.
+// The tangent of a key as in the file: for BEZIER a control point, for HERMITE a tangent. If it has values
+// but no times, the time is `evenTime`: control points are at the thirds of the segment.
 glm::dvec2 tangent(const CurveKeys& keys, bool incoming, std::size_t key, std::size_t component,
                    double evenTime) {
     const double* numbers = (incoming ? keys.inTangents : keys.outTangents).data() + key * keys.tangentWidth;
@@ -50,10 +51,10 @@ Handles handlesOf(const CurveKeys& keys, std::size_t i, std::size_t component) {
         case Interpolation::Hermite:
             return {a + tangent(keys, false, i, component, length) / 3.0,
                     b - tangent(keys, true, i + 1, component, length) / 3.0};
-        case Interpolation::Cardinal:  // of no tension: Catmull-Rom
+        case Interpolation::Cardinal:  // without tension: Catmull-Rom
             return {a + (b - points.before(i)) / 6.0, b - (points.after(i + 1) - a) / 6.0};
         case Interpolation::
-            BSpline:  // moveOntoSplines() moves the end points; the handles are at the thirds between keys
+            BSpline:  // moveOntoSplines() moves the ends; handles are at the thirds between keys
         case Interpolation::Linear:
         case Interpolation::Step:
             break;
@@ -61,8 +62,8 @@ Handles handlesOf(const CurveKeys& keys, std::size_t i, std::size_t component) {
     return {(2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0};
 }
 
-// A B-spline does not pass through its keys, except at both ends, where it meets the segments of other kinds. Moves the
-// inner points of each B-spline from the keys onto the curve.
+// A B-spline does not pass through its keys, except at both ends, where it meets the segments of other kinds.
+// Moves the inner points of each B-spline from the keys onto the curve.
 void moveOntoSplines(const CurveKeys& keys, Curve& curve) {
     const std::size_t segmentCount = keys.times.size() - 1;
     for (std::size_t i = 0; i < segmentCount; ++i) {
@@ -94,8 +95,8 @@ bool isPlain(Interpolation interpolation) {
     return interpolation == Interpolation::Linear || interpolation == Interpolation::Step;
 }
 
-// Keys that are scaled to nothing have no rotation. They take that of the key before them, or of the first key that has
-// one.
+// Decomposes the matrices of the keys. A key without a rotation, because it scales to nothing, takes that of
+// the key before it, or else of the first key that has one.
 void splitMatrices(Curve& curve) {
     curve.parts.reserve(curve.times.size());
     glm::dquat near{1.0, 0.0, 0.0, 0.0};

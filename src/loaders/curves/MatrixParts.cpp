@@ -12,7 +12,8 @@ namespace walkcycle {
 
 namespace {
 
-// The unit vector along the part of `v` at right angles to `axis`; zero if that part is not longer than `smallest`.
+// The unit vector along the part of `v` at right angles to `axis`; zero if that part is not longer than
+// `smallest`.
 glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& axis, double smallest) {
     const glm::dvec3 rest = v - axis * glm::dot(v, axis);
     const double length = glm::length(rest);
@@ -22,8 +23,8 @@ glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& axis, double smallest) 
 // An axis this much shorter than the longest one is a rounding error.
 constexpr double kLost = 1e-9;
 
-// Gram-Schmidt: x keeps its direction, y is made orthogonal to x, z to both. Returns false if one of them is lost, that is,
-// scaled to nothing.
+// Gram-Schmidt: x keeps its direction, y is made orthogonal to x, z to both. Returns false if one of them is
+// lost, that is, scaled to nothing.
 bool findAxes(const glm::dmat3& linear, glm::dmat3& axes) {
     const glm::dvec3 squares(glm::dot(linear[0], linear[0]), glm::dot(linear[1], linear[1]),
                              glm::dot(linear[2], linear[2]));
@@ -35,15 +36,15 @@ bool findAxes(const glm::dmat3& linear, glm::dmat3& axes) {
     const double square = glm::dot(y, y);
     if (!(square > smallest) || !(glm::dot(z, z) > smallest)) return false;
     y /= std::sqrt(square);
-    if (square < 0.01 * squares.y)
-        y = across(y, x, 0.0);  // nearly parallel to x: once more, against rounding errors
+    // If y was nearly parallel to x, its rounding errors are large: once more.
+    if (square < 0.01 * squares.y) y = across(y, x, 0.0);
     axes = {x, y, glm::cross(x, y)};
     if (glm::dot(axes[2], linear[2]) < 0.0) axes[0] = -axes[0], axes[2] = -axes[2];
     return true;
 }
 
-// The same if axes are lost: keeps the others, and takes the lost ones from the rotation `near`. Returns false if two axes
-// or more are lost, so that the result is hardly more than `near`.
+// The same for a matrix with lost axes: keeps the others, and takes the lost ones from the rotation `near`.
+// Returns false if two or more axes are lost, so that the result is hardly more than `near`.
 bool guessAxes(const glm::dmat3& linear, const glm::dquat& near, glm::dmat3& axes) {
     const glm::dmat3 open = glm::mat3_cast(near);
     const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});

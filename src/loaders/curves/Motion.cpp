@@ -45,11 +45,11 @@ bool overlapping(const ParameterMotion::Binding&, const ParameterMotion::Binding
     return true;
 }
 
-// Where channels move the same numbers, each takes over at its first key. Of those that begin together, the last one
-// counts.
+// Sets `from` of bindings that move the same numbers: each takes over at its first key. Of bindings with the
+// same first key, the last one in the file wins.
 template <typename Binding>
 void setTakeovers(std::vector<Binding>& bindings) {
-    constexpr std::size_t kMost = 1000;  // more than any real file has; such a file keeps its own order
+    constexpr std::size_t kMost = 1000;  // no real file has so many; beyond, the order of the file stays
     for (Binding& binding : bindings) binding.from = -std::numeric_limits<double>::infinity();
     if (bindings.size() > kMost) return;
     std::stable_sort(bindings.begin(), bindings.end(),
@@ -89,7 +89,7 @@ glm::dmat4 JointMotion::localTransform(double seconds, Side side) const {
     glm::dmat4 product = outer;
     std::array<double, 16> moved;
     std::array<double, 16> numbers;
-    std::size_t hint = 0;  // the curves of a joint mostly have the same times
+    std::size_t hint = 0;  // most joints have curves with the same key times
     for (std::size_t e = 0; e < stack.size(); ++e) {
         const double* values = stack[e].values.data();
         for (const CurveBinding& b : bindings) {

@@ -17,7 +17,8 @@ struct Part {
     std::size_t first = 0, count = 0;
 };
 
-// Which of an element's `width` numbers a target's member or index means; nothing if it has no such part.
+// The numbers of an element (which has `width` of them) that the member or the indices of a target name.
+// Nothing if it has no such numbers.
 std::optional<Part> partOf(const ChannelTarget& target, std::size_t width, bool isMatrix) {
     const std::vector<int>& indices = target.indices;
     std::size_t first = 0;
@@ -76,7 +77,7 @@ void MotionBuilder::bindNode(XmlNode channel, const ChannelTarget& target, int c
         if (!part)
             return context_.diagnostics.report(Code::TargetMemberUnknown, channel,
                                                {text, std::string(target.element.name())});
-        // An angle alone for a whole <rotate> is a common slip.
+        // Exporters often animate a whole <rotate> by its angle alone.
         if (part->count == 4 && curveWidth == 1) part = Part{3, 1};
         if (curveWidth > 16 || (part->count > 1 && part->count != curveWidth))
             return context_.diagnostics.report(
@@ -94,7 +95,8 @@ void MotionBuilder::bindNode(XmlNode channel, const ChannelTarget& target, int c
     }
 }
 
-// An <asset> on the <animation> may speak another unit and other axes than the document: what it calls Z moves Y there.
+// Binds a curve in the unit and axes of the <asset> of its <animation>. What that calls Z may be Y in the
+// document.
 void MotionBuilder::bindInOwnSpace(XmlNode channel, const TransformElement& element, int joint, int curve,
                                    const CurveBinding& binding) {
     const XmlNode collada = channel.root();
@@ -143,7 +145,7 @@ void MotionBuilder::bindParameters(XmlNode channel, const ChannelTarget& target,
     }
 }
 
-// A sampler gives more numbers than its target takes, and nothing says which are meant.
+// Reports that a sampler has more numbers than its target, so that the first ones are taken.
 void MotionBuilder::reportFirstTaken(XmlNode channel, std::size_t given, std::size_t taken) {
     context_.diagnostics.report(Code::SourceWidth, channel,
                                 {"OUTPUT", std::to_string(given), std::to_string(taken)});

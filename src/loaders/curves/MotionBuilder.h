@@ -18,17 +18,18 @@
 
 namespace walkcycle {
 
-// Makes the document's Motion: reads each channel's sampler, finds what it moves, and binds the one to the other.
+// Builds the Motion of a document: reads the sampler of each channel, finds the numbers that the channel
+// targets, and binds the curve to them.
 class MotionBuilder {
 public:
     MotionBuilder(const SceneGraph& scene, const AnimationTargets& targets, const LoadContext& context,
                   Model& model);
 
-    void add(XmlNode channel);  // the next one in document order
+    void add(XmlNode channel);  // in document order
     int channelCount() const { return static_cast<int>(channels_.size()); }
 
-    // `together(a, b)`: whether channels a and b ever play at the same time; if so, it is reported when they move the
-    // same numbers. Null if nothing moves.
+    // Returns the motion, or null if nothing moves. `together(a, b)`: whether channels a and b play at the
+    // same time (see playTogether). Two such channels that move the same numbers are reported.
     std::shared_ptr<Motion> finish(const std::function<bool(int, int)>& together);
 
 private:

@@ -10,7 +10,7 @@ namespace walkcycle {
 
 namespace {
 
-// Index of a name in a list; -1 where it is not one of them.
+// The index of a name in a list; -1 if it is not in it.
 template <std::size_t N>
 int indexIn(const std::array<std::string_view, N>& names, std::string_view name) {
     for (std::size_t i = 0; i < N; ++i)
@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, kSlotCount> kSlotElements{
 constexpr std::array<std::string_view, 4> kMaterialElements{"shininess", "reflectivity", "transparency",
                                                             "index_of_refraction"};
 
+// The value at rest of a component, as in CameraComponent, LightComponent and MaterialComponent.
 float restOf(const SceneCamera& camera, int component) {
     const std::array<double, 7> values{camera.xfov.value_or(0.0),
                                        camera.yfov.value_or(0.0),
@@ -53,7 +54,8 @@ float restOf(const Material& material, int component) {
     return values[static_cast<std::size_t>(component)];
 }
 
-// The <param ref="..."> elements below. Every channel looks through its effect, and a file chooses how long both are.
+// The <param> elements with this `ref` below an element. The number of elements is limited, because each
+// channel searches its effect.
 std::vector<XmlNode> paramsNamed(XmlNode from, std::string_view ref) {
     constexpr int kMostElements = 10'000;
     std::vector<XmlNode> found;
@@ -88,7 +90,7 @@ std::vector<std::vector<int>> ParameterFinder::find(const ChannelTarget& target)
     return visibility(element);
 }
 
-// Named by the array, its <source>, or the controller.
+// The target names the array of the weights, its <source>, or the <controller>.
 std::vector<std::vector<int>> ParameterFinder::morphWeights(const ChannelTarget& target) {
     auto morph = targets_.morphs.end();
     const XmlNode named = target.element ? target.element : target.root;
@@ -142,7 +144,7 @@ std::vector<std::vector<int>> ParameterFinder::visibility(XmlNode element) {
     return found;
 }
 
-// The number itself in its slot, or a <newparam> or <setparam> that slots refer to by its name.
+// The target is the number itself, in its slot; or a <newparam> or <setparam>, to which slots refer by name.
 std::vector<std::vector<int>> ParameterFinder::materialValue(XmlNode element, XmlNode owner) {
     std::vector<std::vector<int>> found;
     XmlNode named = enclosing(element, "newparam");

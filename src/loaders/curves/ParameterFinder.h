@@ -14,15 +14,15 @@
 
 namespace walkcycle {
 
-// Finds which of the model's parameters a channel's target is: morph weights, camera and light values, colours and
-// numbers of materials, visibility. Appends the ones that the model does not have yet.
+// Finds the parameters of the model that the target of a channel means: morph weights, values of cameras and
+// lights, colours and numbers of materials, visibility. Appends parameters that the model does not have yet.
 class ParameterFinder {
 public:
     ParameterFinder(const SceneGraph& scene, const AnimationTargets& targets, const LoadContext& context,
                     Model& model);
 
-    // One list per thing moved (a material may exist several times): the parameter of each of the element's numbers,
-    // -1 for those that nothing depends on. Empty if the element is none of these, or not shown.
+    // Returns one list per object that the target moves (one <effect> may have become several materials): the
+    // parameter of each number of the element. Empty if the element is no parameter, or not shown.
     std::vector<std::vector<int>> find(const ChannelTarget& target);
 
 private:

@@ -30,7 +30,7 @@ std::optional<Interpolation> interpolationNamed(std::string_view name) {
     return std::nullopt;
 }
 
-// By the words of COLLADA 1.5's pre_behavior, and of the quirk extra-infinity.
+// The words are those of pre_behavior in COLLADA 1.5, and of the quirk extra-infinity.
 Infinity infinityNamed(std::string_view name) {
     if (name == "LINEAR" || name == "GRADIENT") return Infinity::Linear;
     if (name == "CYCLE") return Infinity::Cycle;
@@ -39,8 +39,9 @@ Infinity infinityNamed(std::string_view name) {
     return Infinity::Constant;
 }
 
-// COLLADA 1.5 has an attribute for it. The quirk extra-infinity: a <technique> of the INPUT source, or an <extra> of
-// that source or the sampler.
+// The behaviour before or after the keys: an attribute of the sampler in COLLADA 1.5. With the quirk
+// extra-infinity also an element in a <technique> of the INPUT source, or in an <extra> of that source or the
+// sampler.
 Infinity infinityOf(XmlNode sampler, XmlNode input, const char* element, const char* attribute,
                     Dialects& dialects) {
     if (sampler.has(attribute)) return infinityNamed(sampler.attribute(attribute));
@@ -62,7 +63,7 @@ XmlNode ownSource(XmlNode input) {
     return source.is("source") ? source : XmlNode();
 }
 
-// A sampler has an id, since channels find it by that.
+// Channels find a sampler by its id, so it has one.
 std::string samplerName(XmlNode sampler) {
     return std::string(sampler.id());
 }
@@ -71,7 +72,7 @@ bool needsTangents(Interpolation i) {
     return i == Interpolation::Bezier || i == Interpolation::Hermite;
 }
 
-// Numbers per key: the source's width, or what the quirk forgotten-stride makes of it.
+// The numbers per key: the width of the source, or more if the quirk forgotten-stride applies.
 std::size_t widthOf(const DoubleSource& source, std::size_t keyCount, const LoadContext& context) {
     assert(keyCount > 0);
     const std::size_t perKey = source.values.size() / keyCount;
@@ -85,13 +86,13 @@ std::size_t widthOf(const DoubleSource& source, std::size_t keyCount, const Load
     return perKey;
 }
 
-// The first number of an entry is the time.
+// Reports times with more than one number per entry. The first one counts.
 void checkTimes(const DoubleSource& times, Diagnostics& diagnostics) {
     if (times.width != 1)
         diagnostics.report(Code::SourceWidth, times.element, {"INPUT", std::to_string(times.width), "1"});
 }
 
-// Keeps the keys that `order` names, in that order.
+// Keeps only the keys in `order`, in that order.
 void reorder(CurveKeys& keys, const std::vector<std::size_t>& order) {
     const auto pick = [&](std::vector<double>& list, std::size_t width) {
         if (list.empty()) return;
@@ -141,7 +142,7 @@ bool SamplerReader::readKeys(XmlNode sampler, CurveKeys& keys) {
         const std::string_view semantic = i.attribute("semantic");
         if (semantic == "INPUT") input = context_.documents.follow(i, "source", "source"), named[0] = true;
         if (semantic == "OUTPUT") output = context_.documents.follow(i, "source", "source"), named[1] = true;
-        // There is a substitute for the others, so a dangling reference is no error here.
+        // The others have defaults, so an unresolved reference is no error here.
         if (semantic == "INTERPOLATION") interpolation = ownSource(i);
         if (semantic == "IN_TANGENT") inTangent = ownSource(i);
         if (semantic == "OUT_TANGENT") outTangent = ownSource(i);
@@ -223,8 +224,9 @@ void SamplerReader::readTangents(XmlNode sampler, XmlNode inSource, XmlNode outS
     std::replace_if(kinds.begin(), kinds.end(), needsTangents, Interpolation::Linear);
 }
 
-// Times must rise; two keys at one time are a jump. If they do not rise, the keys are sorted. Of keys with the same time
-// that were not neighbours in the file, the first one counts.
+// Times must rise, except that two neighbouring keys at one time are a jump. Otherwise, the keys are sorted.
+// Of keys with the same time that were not neighbours in the file, the first one counts; of more than two,
+// the first and the last.
 void SamplerReader::fixTimes(XmlNode sampler, const DoubleSource& source, CurveKeys& keys) {
     const std::size_t count = keys.times.size();
     bool sorted = true, tripled = false;

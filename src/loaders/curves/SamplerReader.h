@@ -10,12 +10,12 @@
 
 namespace walkcycle {
 
-// Reads <sampler> elements, each once, in whichever document they and their sources are.
+// Reads <sampler>s (COLLADA 1.4.1, chapter 5), each once, also in other documents.
 class SamplerReader {
 public:
     explicit SamplerReader(const LoadContext& context) : context_(context) {}
 
-    // Returns an index into curves(), or -1 (and reports why) if the sampler has nothing to play.
+    // Returns an index into curves(); -1, and reported, if the sampler has no keys.
     int read(XmlNode sampler);
 
     std::vector<Curve>& curves() { return curves_; }
@@ -30,7 +30,7 @@ private:
     const LoadContext& context_;
     std::unordered_map<XmlNode, int> read_;
     std::vector<Curve> curves_;
-    std::uint64_t keyNumbers_ = 0;
+    std::uint64_t keyNumbers_ = 0;  // read so far, for LoadLimits::maxKeyNumbers
 };
 
 }  // namespace walkcycle
