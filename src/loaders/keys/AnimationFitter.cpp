@@ -9,7 +9,7 @@
 namespace walkcycle {
 namespace {
 
-// "walk" for "characters/walk.dae": what a clip without a name of its own is called.
+// The name of the whole timeline: "walk" for "characters/walk.dae".
 std::string baseName(const std::string& file) {
     const std::size_t slash = file.find_last_of("/\\");
     const std::string name = slash == file.npos ? file : file.substr(slash + 1);

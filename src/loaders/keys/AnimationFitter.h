@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// Makes the key frames that play as the file's curves do, within LoadOptions::tolerance: fills model.animations (the whole
-// timeline first, then each clip) and sets model.exactMotion.
+// Makes key frames that follow the curves of the file within LoadOptions::tolerance. Fills model.animations
+// (the whole timeline, then each clip), and sets model.exactMotion.
 void fitAnimations(const LoadedMotion& loaded, XmlNode collada, const LoadContext& context, Model& model);
 
 }  // namespace walkcycle

@@ -14,7 +14,8 @@ namespace walkcycle {
 
 namespace {
 
-// The range of the keys from the last one at or before `start` to the first one at or after `end`.
+// The indices [first, last) of the keys from the last one at or before `start` to the first one at or after
+// `end`.
 template <typename Key>
 std::pair<std::size_t, std::size_t> keptRange(const std::vector<Key>& keys, double start, double end) {
     const auto after = std::upper_bound(keys.begin(), keys.end(), start,
@@ -27,6 +28,7 @@ std::pair<std::size_t, std::size_t> keptRange(const std::vector<Key>& keys, doub
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::max(last, first + 1))};
 }
 
+// The keys of a clip, copied from those of the whole timeline.
 template <typename Key>
 std::vector<Key> cut(const std::vector<Key>& keys, double start, double end) {
     if (keys.empty()) return {};
@@ -60,7 +62,7 @@ std::size_t indexOf(int joint, const std::vector<JointMotion>& motions) {
     return static_cast<std::size_t>(found - motions.begin());
 }
 
-// The keys of the file, as if they were text.
+// The work of fitting one motion (see LoadProgress): each key of the file counts like so many bytes of text.
 template <typename MotionOfOne>
 double workOf(const MotionOfOne& moving) {
     constexpr double kPerKey = 64.0;
@@ -78,7 +80,7 @@ double toleranceOf(int level) {
     return kDefaultTolerance * std::pow(10.0, -0.5 * level);
 }
 
-// The coarsest level that is within the tolerance.
+// The coarsest level whose tolerance is not larger.
 int levelOf(double tolerance) {
     if (!(tolerance > 0.0)) return kFinest;
     const double level = std::ceil(-2.0 * std::log10(tolerance / kDefaultTolerance) - 1e-6);
@@ -125,8 +127,9 @@ std::vector<Animation> ClipFitter::fit(const std::string& name, const std::vecto
     return animations;
 }
 
-// Each joint may be off by its budget. How errors add up along the chains shows only when they are measured; so it may
-// take a level or more beyond the one that was asked for. Of each clip the level with the smallest error is kept.
+// Each joint may be off by its budget. How the errors add up along the chains is known only after measuring,
+// so a finer level than the requested one may be needed. Keeps for each clip the level with the smallest
+// error.
 std::vector<Animation> ClipFitter::refine(const Source& source, int level, double tolerance) {
     constexpr int kMoreLevels = 3;
     std::vector<Animation> best;
@@ -146,8 +149,8 @@ std::vector<Animation> ClipFitter::refine(const Source& source, int level, doubl
     return best;
 }
 
-// A coarser level has fewer keys. It is skipped for a clip where it happens to have a smaller error, too, or where it is
-// not within its tolerance.
+// Coarser levels have fewer keys. A coarser level is not used for a clip if its error happens to be smaller,
+// too, or if it exceeds the tolerance of the level.
 void ClipFitter::coarsen(const Source& source, int level, std::vector<Animation>& animations) {
     for (int i = -1; i >= level; --i) {
         std::vector<Animation> coarser = fitLevel(source, i);
@@ -161,7 +164,8 @@ void ClipFitter::coarsen(const Source& source, int level, std::vector<Animation>
     }
 }
 
-// Stops early where the keys are more than LoadLimits::maxKeyFrames.
+// Fits all clips with the tolerance of one level. Stops when there are more keys than
+// LoadLimits::maxKeyFrames.
 std::vector<Animation> ClipFitter::fitLevel(const Source& source, int level) {
     keys_ = 0;
     ranOut_ = false;
@@ -183,7 +187,8 @@ std::vector<Animation> ClipFitter::fitLevel(const Source& source, int level) {
     return animations;
 }
 
-// If the spare keys run out, the motions that came first have taken them. Then all get the same number.
+// Fits one clip. If the spare keys run out, the first motions have used them up. Then the clip is fitted
+// again with the same number for each motion.
 void ClipFitter::fitClip(const Motion& motion, const Animation* whole, int level, Animation& animation) {
     const std::uint64_t keysBefore = keys_;
     spareKeysEach_ = spareKeys_ = kSpareKeys;
@@ -196,7 +201,8 @@ void ClipFitter::fitClip(const Motion& motion, const Animation* whole, int level
     fitMotions(motion, whole, level, animation);
 }
 
-// What moves as over the whole timeline is cut out of `whole`; null where this is the whole timeline.
+// Fits the motions of one clip. A joint that the same channels move in the clip and in `whole`, the whole
+// timeline, gets a copy of its keys there. `whole` is null if this is the whole timeline.
 void ClipFitter::fitMotions(const Motion& motion, const Animation* whole, int level, Animation& animation) {
     const double start = animation.startSeconds, end = animation.endSeconds;
     const std::size_t limit = keyLimits().most;
@@ -204,7 +210,7 @@ void ClipFitter::fitMotions(const Motion& motion, const Animation* whole, int le
     animation.channels.clear();
     animation.parameterTracks.clear();
     if (whole)
-        keys_ += 8 * motion.joints.size();  // a clip's channels take memory of their own beside their keys
+        keys_ += 8 * motion.joints.size();  // the channels of a clip take as much memory as so many keys
     for (const JointMotion& joint : motion.joints) {
         context_.checkCancelled(collada_);
         if (spareKeys_ == 0 || keys_ > context_.options.limits.maxKeyFrames) return;
@@ -236,7 +242,8 @@ void ClipFitter::fitMotions(const Motion& motion, const Animation* whole, int le
         isMeasured ? whole->achievedError : static_cast<float>(reach_.measure(model_, motion, animation));
 }
 
-// One more than allowed, to tell a channel that needs as many keys from one that needs more.
+// One key more than allowed: a channel that needs exactly the allowed number must differ from one that needs
+// more.
 KeyLimits ClipFitter::keyLimits() const {
     const std::uint64_t most = std::min<std::uint64_t>(context_.options.limits.maxKeyFrames, 1u << 30);
     return {static_cast<std::size_t>(most + 1), std::min(spareKeys_, spareKeysEach_)};

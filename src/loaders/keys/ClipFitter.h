@@ -14,20 +14,20 @@
 
 namespace walkcycle {
 
-// What all that moves, or one of it, counts as work of fitting (see LoadProgress): by the keys of its curves.
+// The work of fitting a whole motion, for LoadProgress.
 double workOf(const Motion& motion);
 
-// Makes clips of key frames from the exact motion, within LoadOptions::tolerance. Where keys cannot do that, the clips
-// come as near as they can, and WC0513 is reported.
+// Fits the key frames of clips to the exact motion, within LoadOptions::tolerance. If keys cannot do that,
+// the clips come as near as they can, and WC0513 is reported.
 //
-// A smaller tolerance never gives a larger Animation::achievedError. For that, the fitter knows two tolerances per
-// decade, its levels, and fits them in one order for all: the default tolerance is level 0, and from there it goes to
-// the finer or to the coarser ones, as far as the tolerance asks for.
+// A smaller tolerance never gives a larger Animation::achievedError. For that, tolerances are rounded to
+// levels, two per decade, and the levels are always fitted in the same order: from level 0, the default
+// tolerance, to the finer or to the coarser ones, as far as the requested tolerance needs.
 class ClipFitter {
 public:
     ClipFitter(const Model& model, const Motion& motion, const LoadContext& context, XmlNode collada);
 
-    // The whole timeline first, which is called `name`, then the clips. A clip in which nothing moves is left out.
+    // Returns the whole timeline, called `name`, then the clips. A clip in which nothing moves is left out.
     std::vector<Animation> fit(const std::string& name, const std::vector<ClipRange>& clips);
 
 private:
@@ -49,10 +49,10 @@ private:
     const LoadContext& context_;
     XmlNode collada_;
     MotionReach reach_;
-    std::uint64_t keys_ = 0;         // of this level
-    std::size_t spareKeys_ = 0;      // that the motions of a clip may still take beyond those of the file
-    std::size_t spareKeysEach_ = 0;  // what one of them may take
-    bool ranOut_ = false;            // of spare keys: a smaller tolerance gives no better clips
+    std::uint64_t keys_ = 0;         // of the current level
+    std::size_t spareKeys_ = 0;      // left for the motions of the clip, beyond the keys of the file
+    std::size_t spareKeysEach_ = 0;  // the most that one motion may take
+    bool ranOut_ = false;            // no spare keys left: a smaller tolerance gives no better clips
 };
 
 }  // namespace walkcycle

@@ -37,8 +37,8 @@ bool DecomposedMotion::holds(const std::vector<double>& knots) {
     return holds();
 }
 
-// The curve of a whole matrix has the parts of its keys already. Null between keys, at a jump, and where a key is
-// flattened.
+// The parts of the key at this time: the curve of a whole matrix has them already. Null between keys, at a
+// jump, and if the key has no rotation.
 const MatrixParts* DecomposedMotion::partsOfKey(double seconds) {
     const Curve& curve = *motion_.bindings[0].curve;
     const std::vector<double>& times = curve.times;

@@ -8,18 +8,17 @@
 
 namespace walkcycle {
 
-// How far off a joint's local transform may be. An error is measured where the farthest point is that the joint moves.
+// How far a local transform may be off. The error is measured at the farthest point that the joint moves.
 struct Tolerance {
-    double budget = 0.0;  // model-space distance
-    double unit = 1.0;    // model-space length of one unit of the joint's parent
-    double reach =
-        1.0;  // distance from the joint to the farthest point that it moves, in the joint's own units
+    double budget = 0.0;  // the largest allowed distance in model space
+    double unit = 1.0;    // length in model space of one unit of the parent joint
+    double reach = 1.0;   // from the joint to the farthest point that it moves, in the joint's own units
 };
 
-// The forms of interpolation that the run-time has between two keys. through() fits one to the exact motion from one time
-// to another, and at() gives its value at a progression from 0 to 1.
+// The forms of interpolation between two keys that playback has. through() fits one to the exact motion
+// between two times; at() gives its value at a progression from 0 to 1.
 
-// Positions and scales on straight lines, rotations the short way round at constant speed.
+// Linear keys: positions and scales are interpolated linearly, rotations by slerp.
 struct StraightTransform {
     static constexpr bool kHasTangents = false;
     using Value = ExactTransform;
@@ -34,7 +33,8 @@ struct StraightTransform {
     ExactTransform at(double progression) const;
 };
 
-// Of the one cubic through four evenly spaced values: its tangents at the first and at the last, per way between them.
+// The tangents of the cubic through four evenly spaced values, at the first and at the last value, per whole
+// of the progression.
 template <typename Value>
 Value leavingTangent(const Value& first, const Value& second, const Value& third, const Value& last) {
     return first * -5.5 + second * 9.0 - third * 4.5 + last;
@@ -44,7 +44,7 @@ Value arrivingTangent(const Value& first, const Value& second, const Value& thir
     return second * 4.5 - first - third * 9.0 + last * 5.5;
 }
 
-// Each number on a cubic curve (see curvedTransform).
+// Cubic keys: each number is on a cubic curve (see curvedTransform).
 struct CurvedTransform {
     static constexpr bool kHasTangents = true;
     using Value = ExactTransform;
@@ -63,7 +63,8 @@ struct CurvedTransform {
     ExactTransform at(double progression) const;
 };
 
-// For motion that no joint transform can hold: each number of a matrix on a straight line.
+// Matrix keys, for motion that no joint transform can represent: each number of a matrix is interpolated
+// linearly.
 struct StraightMatrix {
     static constexpr bool kHasTangents = false;
     using Value = glm::dmat4;
@@ -76,6 +77,7 @@ struct StraightMatrix {
     glm::dmat4 at(double progression) const { return a * (1.0 - progression) + b * progression; }
 };
 
+// Linear keys of a parameter.
 struct StraightNumber {
     static constexpr bool kHasTangents = false;
     using Value = double;
@@ -88,6 +90,7 @@ struct StraightNumber {
     double at(double progression) const { return a + (b - a) * progression; }
 };
 
+// Cubic keys of a parameter.
 struct CurvedNumber {
     static constexpr bool kHasTangents = true;
     using Value = double;
@@ -104,12 +107,13 @@ struct CurvedNumber {
     double at(double progression) const { return Hermite(progression).value(a, leaving, b, arriving); }
 };
 
-// Upper bound of the distance in model space between where two transforms put the farthest point.
+// An upper bound of the distance in model space between the places where two transforms put the farthest
+// point.
 double distance(const ExactTransform& exact, const ExactTransform& keyed, const Tolerance& tolerance);
 double distance(const glm::dmat4& exact, const glm::dmat4& keyed, const Tolerance& tolerance);
 double distance(double exact, double keyed, const Tolerance& tolerance);
 
-// How far shear moves the farthest point.
+// An upper bound of the distance in model space by which the shear of a matrix moves the farthest point.
 double shear(const MatrixParts& exact, const Tolerance& tolerance);
 
 }  // namespace walkcycle

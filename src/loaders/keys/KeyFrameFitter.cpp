@@ -14,7 +14,8 @@ namespace walkcycle {
 
 namespace {
 
-// Splits the knots where the motion jumps. If it jumps at the last one, the last run is that time alone.
+// Splits the knots into runs at the jumps of the motion. If it jumps at the last knot, the last run has only
+// that time.
 template <typename MotionOfOne, typename Jumps>
 std::vector<Run> runsOf(const MotionOfOne& motion, const std::vector<double>& knots, const Jumps& jumps) {
     std::vector<Run> runs(1);
@@ -32,14 +33,16 @@ std::vector<Run> runsOf(const MotionOfOne& motion, const std::vector<double>& kn
     return runs;
 }
 
-// A few keys more than the file has are always allowed. Beyond that a motion may take spare keys: a joint that rotates
-// a thousand times between two keys must not cost more than the file is worth. WC0513 reports the error that is left.
+// The most keys that a motion may get. A few more than in the file are always allowed. Beyond that it takes
+// spare keys, whose number is limited: a joint that rotates a thousand times between two keys must not cost
+// more than the file is worth. WC0513 reports the remaining error.
 std::size_t mostKeys(std::size_t knots, const KeyLimits& limits) {
     return std::min(limits.most, 2 * knots + 32 + std::min(limits.spareKeys, 4096 + 64 * knots));
 }
 
-// From its ends, a rotation by more than half a circle looks like a shorter one the other way round. So long rotations
-// get knots in between. There are at most `spare` of these, evenly spread over the degrees of the motion.
+// Adds knots to long rotations: seen from its ends, a rotation by more than half a circle looks like a
+// shorter one in the other direction. At most `spare` knots are added, evenly spread over the degrees of the
+// motion.
 class RotationSplitter {
 public:
     // `degrees` as from JointMotion::degreesRotated.
@@ -51,8 +54,8 @@ public:
         isTooFast_ = !std::isfinite(all) || (degreesPerKey_ >= kTooFar && most >= kTooFar);
     }
 
-    // Whether even so two keys would be about half a circle apart. Such keys say nothing, and to look for better ones
-    // takes long and finds none.
+    // Whether two keys would still be about half a circle apart. Such keys are useless, and searching for
+    // better ones takes long and finds none.
     bool isTooFast() const { return isTooFast_; }
 
     std::vector<double> split(const std::vector<double>& knots) const {
@@ -76,7 +79,7 @@ private:
     bool isTooFast_ = false;
 };
 
-// Whether the knots are all that the file has, and none was left out for a limit.
+// Whether the knots are complete, that is, none was left out for a limit.
 bool hasAllKnots(const JointMotion& motion, std::size_t limit) {
     std::size_t knots = 2;
     for (const CurveBinding& binding : motion.bindings) knots += binding.curve->times.size();
@@ -91,7 +94,8 @@ KeyTangents::Rates toRates(const TransformRates<double>& perWay, double seconds)
 void append(Channel& channel, const RunKeys<StraightTransform>& keys, bool isStep) {
     for (std::size_t i = 0; i < keys.times.size(); ++i) {
         JointTransform transform(keys.values[i]);
-        // q and -q are the same rotation; programs that blend them number by number need neighbours on one side.
+        // q and -q are the same rotation. Programs that blend quaternions number by number need neighbours
+        // with a positive dot product.
         if (!channel.keyFrames.empty() &&
             glm::dot(channel.keyFrames.back().transform.rotation, transform.rotation) < 0.0f)
             transform.rotation = -transform.rotation;
@@ -131,7 +135,7 @@ void append(ParameterTrack& track, const RunKeys<CurvedNumber>& keys, bool isSte
     }
 }
 
-// Keys of one form, and the largest error that the search for them has left, as a distance in model space.
+// Keys of one form, and the largest error that is left, as a distance in model space.
 template <typename Target>
 struct Fit {
     Target keys;
@@ -174,8 +178,8 @@ public:
 
     Channel fit() {
         if (!holds_) return fitMatrices();
-        const bool isByNumber =
-            motion_.isStraightByNumber();  // then matrices need no more keys than the file has
+        // If it is, matrices need no more keys than the file has.
+        const bool isByNumber = motion_.isStraightByNumber();
         const std::size_t fewSplits = isByNumber ? runs_.size() : knots_ + 32 * runs_.size();
         Fit<Channel> straight =
             fitTransforms<StraightTransform>(isStraight_, std::min(mostSplits_, fewSplits));
@@ -199,8 +203,8 @@ private:
                              Channel{.joint = motion_.joint});
     }
 
-    // Blended number by number, matrices take many keys for a rotation. Where they take too many, transforms without
-    // the shear may still be nearer.
+    // Matrices are interpolated number by number, and need many keys for a rotation. If they need too many,
+    // transforms may be nearer, although they lose the shear.
     Channel fitMatrices() {
         const auto exact = [&](double seconds, Side side) { return motion_.localTransform(seconds, side); };
         Fit<Channel> best = fitRuns<StraightMatrix>(runs_, exact, tolerance_, motion_.isStraightByNumber(),
@@ -221,8 +225,8 @@ private:
     std::vector<Run> runs_;
     std::size_t knots_ = 0, mostSplits_ = 0;
     bool isTooFast_ = false;   // see RotationSplitter
-    bool isStraight_ = false;  // between its knots the motion is as a run-time's transform blends
-    bool holds_ = false;       // transforms seem to be enough
+    bool isStraight_ = false;  // linear keys at the knots reproduce the motion
+    bool holds_ = false;       // transforms seem to be enough: no matrices are needed
 };
 
 }  // namespace

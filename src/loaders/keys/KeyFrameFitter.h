@@ -13,17 +13,17 @@ namespace walkcycle {
 // How many key frames a motion may get.
 struct KeyLimits {
     std::size_t most = SIZE_MAX;
-    std::size_t spareKeys = SIZE_MAX;  // beyond two per key of the file and a few
+    std::size_t spareKeys = SIZE_MAX;  // how many the fit may add beyond two per key of the file and a few
 };
 
-// Makes the key frames of one joint from its exact motion. `times` are the motion's knots between the clip's start and
-// end, both included. Steps stay steps, and a jump becomes two keys at one time. Smooth motion gets cubic curves if
-// straight lines would need more keys than the file has. What a joint transform cannot hold (shear, and mirroring or
-// flattening on the way) becomes matrices.
+// Fits the key frames of one joint to its exact motion. `times` are the knots of the motion between the start
+// and the end of the clip, both included. A step stays a step, and a jump becomes two keys at one time.
+// Smooth motion gets cubic keys if linear ones would be more than the file has. Motion that a joint transform
+// cannot represent (shear, and mirroring or flattening on the way) gets matrix keys.
 Channel fitChannel(const JointMotion& motion, const std::vector<double>& times, const Tolerance& tolerance,
                    const KeyLimits& limits = {});
 
-// The same for one number.
+// The same for one parameter.
 ParameterTrack fitTrack(const ParameterMotion& motion, const std::vector<double>& times,
                         const Tolerance& tolerance, const KeyLimits& limits = {});
 

@@ -14,7 +14,7 @@ namespace walkcycle {
 
 namespace {
 
-// Of a large mesh, some points are enough to know its size.
+// The size of a large mesh is measured with about so many of its points.
 constexpr std::size_t kPointsLookedAt = 8'000;
 
 std::size_t strideOf(std::size_t count) {
@@ -31,6 +31,7 @@ glm::dvec3 transformed(const glm::dmat4& m, const glm::dvec3& point) {
            glm::dvec3(m[3]);
 }
 
+// Multiplies local transforms along the skeleton to model transforms.
 void chain(const std::vector<Joint>& joints, std::vector<glm::dmat4>& locals) {
     for (std::size_t i = 0; i < joints.size(); ++i)
         if (joints[i].parent != kNoParent)
@@ -39,7 +40,7 @@ void chain(const std::vector<Joint>& joints, std::vector<glm::dmat4>& locals) {
 
 }  // namespace
 
-// Takes two opposite corners at a time: the centre plus and minus the same half diagonal.
+// Computes two opposite corners at a time: the centre plus and minus the same half diagonal.
 double MotionReach::Box::farthestSquared(const glm::dmat4& matrix) const {
     const glm::dvec3 middle = 0.5 * (min + max), half = 0.5 * (max - min);
     const glm::dmat3 linear(matrix);
@@ -100,7 +101,8 @@ void MotionReach::addSkinned(const Model& model, const MeshInstance& instance, c
     }
 }
 
-// Children come after their parents. From the back, each joint's box is complete before its parent's box takes it in.
+// Children come after their parents, so from the back the box of each joint is complete before the box of its
+// parent takes it in.
 void MotionReach::measureJoints(const Model& model) {
     const std::vector<Joint>& joints = model.skeleton.joints;
     std::vector<Box> hanging(joints.size());
@@ -138,8 +140,8 @@ void MotionReach::countMoving(const Model& model, const Motion& motion) {
     for (std::size_t i = 0; i < joints.size(); ++i) moving_.push_back(std::max(1, above[i] + below[i]));
 }
 
-// Errors along a chain rarely have one direction. Like the steps of a random walk, they add up to the square root of their
-// number. measure() shows how far that is true.
+// Errors along a chain rarely have one direction. Like the steps of a random walk, they add up to the square
+// root of their number. measure() shows how far that is true.
 Tolerance MotionReach::tolerance(int joint, double share) const {
     const auto i = static_cast<std::size_t>(joint);
     const double chain = std::sqrt(static_cast<double>(moving_[i]));

@@ -8,23 +8,25 @@
 
 namespace walkcycle {
 
-// How much an error of a joint shows: the size of the model, and the distance from each joint to the farthest point that
-// it moves. Both are taken from the geometry as posed at one time, in the document's own units.
+// The effect of an error of a joint: the size of the model, and the distance from each joint to the farthest
+// point that it moves. Both are measured on the geometry as posed at one time. Model space is in the
+// document's own unit here.
 class MotionReach {
 public:
     MotionReach(const Model& model, const Motion& motion, double seconds);
 
     double modelSize() const { return modelSize_; }  // diagonal of the model's bounding box
 
-    // How far off a joint may be, if all joints on the way to a vertex together may be off by `share` of the model's size.
+    // The tolerance of a joint, if all joints between the root and a vertex together may be off by `share` of
+    // the size of the model; and that of a parameter.
     Tolerance tolerance(int joint, double share) const;
     Tolerance tolerance(const Parameter& parameter, const Model& model, double share) const;
 
-    // Smaller shares count as this one, since the numbers of a key are floats.
+    // The smallest useful share: the numbers of a key are floats.
     static constexpr double finestShare() { return 6e-8; }
 
-    // The largest distance between exact and keyed points as a share of the model's size, at some times between the clip's
-    // start and end. The times do not depend on the keys.
+    // The largest distance between exact and keyed points, as a share of the size of the model, at some times
+    // between the start and the end of the clip. The times do not depend on the keys.
     double measure(const Model& model, const Motion& motion, const Animation& animation) const;
 
 private:
@@ -35,7 +37,7 @@ private:
         glm::dvec3 corner(int i) const {
             return {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
         }
-        // The largest squared distance from the origin to a corner after the matrix.
+        // The largest squared distance from the origin to a corner that the matrix transforms.
         double farthestSquared(const glm::dmat4& matrix) const;
     };
     void addInstance(const Model& model, const MeshInstance& instance, Box& modelBox);
@@ -44,9 +46,9 @@ private:
     void measureJoints(const Model& model);
     void countMoving(const Model& model, const Motion& motion);
 
-    std::vector<glm::dmat4> worlds_;
+    std::vector<glm::dmat4> worlds_;  // per joint: its model transform
     std::vector<Box>
-        boxes_;  // per joint, in its own space: around the points that it moves itself, without its children
+        boxes_;  // per joint, in its own space: the points that it moves itself, without its children
     std::vector<double> units_;    // per joint: length in model space of one unit of its parent
     std::vector<double> reaches_;  // per joint: see Tolerance::reach
     std::vector<int> moving_;  // per joint: the most moving joints on a path from a root through it to a leaf

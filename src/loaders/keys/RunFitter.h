@@ -13,8 +13,8 @@
 
 namespace walkcycle {
 
-// A stretch of the timeline without jumps inside. `knots`: the times at which the motion may change its course, the
-// first and the last included. A run that holds one value and ends in a jump is a step.
+// A part of the timeline without jumps inside. `knots` are the times at which a segment of a curve begins,
+// with the first and the last time of the run. A run that holds one value and ends in a jump is a step.
 struct Run {
     std::vector<double> knots;
     bool isStep = false;
@@ -28,17 +28,17 @@ struct RunKeys {
     std::vector<Form> pieces;                  // one between each two keys, for forms with tangents
 };
 
-// Finds few key frames for the runs of a motion, in two passes. `refine` splits pieces until each is well within the
-// tolerance: always the worst piece of all runs, so that where keys run out, they have gone where they help most. The
-// order of the splits does not depend on the tolerance, which only says when to stop. `leaveOut` then drops the keys
-// that their neighbours can do without.
+// Finds few key frames for the runs of a motion, in two passes. refine() splits pieces until each is well
+// within the tolerance. It always splits the worst piece of all runs, so that, if keys run out, they are
+// where they help most; the order of the splits does not depend on the tolerance, which only ends them.
+// leaveOut() then drops keys that are not needed.
 template <typename Form, typename Exact>
 class RunFitter {
 public:
     using Value = typename Form::Value;
     using Keys = RunKeys<Form>;
 
-    // `exact(seconds, side)` gives the motion. `isStraight`: between its knots the motion is known to have this form.
+    // `exact(seconds, side)` gives the motion. `isStraight`: it is known to have this form between its knots.
     RunFitter(Exact exact, const Tolerance& tolerance, bool isStraight)
         : exact_(std::move(exact)), tolerance_(tolerance), isStraight_(isStraight) {}
 
@@ -54,8 +54,8 @@ public:
         return keys;
     }
 
-    // The largest error of a piece after refine(), as a distance in model space. Above Tolerance::budget where there
-    // were too few splits.
+    // The largest error of a piece after refine(), as a distance in model space. It exceeds Tolerance::budget
+    // if there were too few splits.
     double largestError() const { return largestError_; }
 
 private:
@@ -64,11 +64,11 @@ private:
         Value value;
     };
     static constexpr std::uint32_t kNone = UINT32_MAX;
-    static constexpr std::size_t kProbes =
-        5;  // evenly spaced in a piece, so that both halves can use them again
+    static constexpr std::size_t kProbes = 5;  // samples evenly spaced in a piece; its halves use them again
     using Probes = std::array<std::uint32_t, kProbes>;
 
-    // The way between two neighbouring keys. All numbers are indices of samples_, but for `next`, the piece that follows.
+    // The motion between two neighbouring keys. `start`, `stop` and `probes` are indices of samples_; `next`
+    // is the index of the following piece.
     struct Piece {
         std::uint32_t start, stop;
         Probes probes;
@@ -112,7 +112,8 @@ private:
         return static_cast<std::uint32_t>(samples_.size() - 1);
     }
 
-    // The pieces of a run are linked in the order of time; each first one is the first of its run.
+    // The pieces of a run are linked in order of time. A piece that does not continue the last one begins a
+    // run.
     void addPiece(Piece piece) {
         piece.error = errorOf(piece);
         if (!pieces_.empty() && pieces_.back().stop == piece.start)
@@ -161,7 +162,8 @@ private:
         for (const Piece& piece : pieces_) largestError_ = std::max(largestError_, piece.error);
     }
 
-    // The piece becomes its first half, a new one the second. False where it is too short for that.
+    // The piece becomes its first half, and its second half is appended. Returns false if the piece is too
+    // short.
     bool split(std::uint32_t index) {
         constexpr int kDeepest = 24;
         const Piece whole = pieces_[index];
@@ -184,7 +186,7 @@ private:
         return true;
     }
 
-    // Brings samples and nodes back into the order of time.
+    // Sorts samples and nodes by time again.
     void sortSamples() {
         std::vector<Sample> samples;
         samples.reserve(samples_.size());
@@ -194,7 +196,7 @@ private:
             nodes.push_back(static_cast<std::uint32_t>(samples.size()));
             samples.push_back(samples_[sample]);
         };
-        std::uint32_t piece = 0;  // where the run's pieces start: those of addRun() come first, run by run
+        std::uint32_t piece = 0;  // first piece of the run: those of addRun() come first, run by run
         for (std::size_t run = 0; run + 1 < firstNodes_.size(); ++run) {
             const std::size_t knots = firstNodes_[run + 1] - firstNodes_[run];
             addSortedNode(nodes_[firstNodes_[run]]);
@@ -208,13 +210,13 @@ private:
         samples_ = std::move(samples), nodes_ = std::move(nodes), firstNodes_ = std::move(firstNodes);
     }
 
-    // From each key to the farthest node that one piece can reach: by doubling strides, then halving.
+    // From each key, finds the farthest node that one piece can reach: doubles the stride, then bisects.
     Keys leaveOut(std::size_t first, std::size_t last) const {
         const Sample& front = samples_[nodes_[first]];
         Keys keys{{front.seconds}, {front.value}, {}};
         for (std::size_t a = first; a < last;) {
             std::size_t good = a + 1, bad = last + 1;
-            std::optional<Form> piece;  // to there, where it is not the next one
+            std::optional<Form> piece;  // the piece from a to good; empty if good is the next node
             for (std::size_t b = a + 2; b <= last && bad > last;) {
                 const Form wider = pieceTo(keys.values.back(), a, b);
                 if (fits(wider, a, b)) {
