@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "loaders/geometry/CornerLocation.h"
 #include "model/SmoothNormals.h"
 
 namespace walkcycle {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "loaders/geometry/MeshBuilder.h"
+#include "loaders/geometry/PrimitiveKind.h"
 #include "loaders/geometry/PrimitiveReader.h"
 #include "loaders/quirks/Dialect.h"
 #include "loaders/quirks/Extras.h"
@@ -87,7 +88,7 @@ LoadedMesh loadGeometry(XmlNode geometry, const LoadContext& context) {
 
     std::vector<PrimitiveCorners> primitives;
     for (XmlNode child : mesh.children()) {
-        if (!isPrimitive(child)) continue;
+        if (!primitiveKindOf(child)) continue;
         context.checkCancelled(child);
         PrimitiveCorners primitive = readPrimitive(child, vertices, context);
         if (primitive.inputs.usable()) primitives.push_back(std::move(primitive));

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "loaders/geometry/CornerAttributes.h"
+#include "loaders/geometry/PolygonShape.h"
 #include "loaders/geometry/Triangulation.h"
 #include "loaders/geometry/VertexJoiner.h"
 #include "model/SmoothNormals.h"
@@ -21,10 +19,6 @@ namespace {
 
 // A normal with a smaller squared length has no meaningful direction, and counts as missing.
 constexpr float kLeastNormalSquared = 1e-20f;
-// A polygon counts as a line if the square of its area is below this share of the square of the largest area
-// that its extent allows: single precision cannot tell the two apart.
-constexpr double kFlatSquared = 1e-14;
-
 std::size_t cornersOf(const std::vector<PrimitiveCorners>& primitives) {
     std::size_t corners = 0;
     for (const PrimitiveCorners& primitive : primitives) corners += primitive.cornerCount();
@@ -61,7 +55,6 @@ private:
     bool useNormal(float* normal, std::size_t meshCorner);
     void cutFace(std::span<const Ring> rings);
     void addIndices(std::span<const std::uint32_t> corners);
-    bool hasArea(const Ring& ring, bool& isPlain);
     std::uint32_t positionAt(const PrimitiveCorners& primitive, std::size_t corner, std::size_t count);
     void report(const PrimitiveCorners& primitive);
 
@@ -230,11 +223,13 @@ void MeshAssembler::cutFace(std::span<const Ring> rings) {
     const Ring& outline = rings[0];
     const std::uint32_t* vertices = loaded_.cornerVertices.data();
     const std::uint32_t c0 = outline.firstCorner;
-    bool isPlain = false;
-    if (!hasArea(outline, isPlain)) ++flatFaces_;
+    const PolygonShape shape =
+        shapeOf(std::span(loaded_.faces.cornerPositions).subspan(outline.firstCorner, outline.cornerCount),
+                mesh_.positions);
+    if (!shape.hasArea) ++flatFaces_;
     // Fast path: nearly all polygons are triangles and plain quads.
     if (rings.size() == 1 && outline.cornerCount == 3) return addIndices(std::array{c0, c0 + 1, c0 + 2});
-    if (rings.size() == 1 && outline.cornerCount == 4 && isPlain)
+    if (rings.size() == 1 && outline.cornerCount == 4 && shape.isPlain)
         return addIndices(std::array{c0, c0 + 1, c0 + 2, c0, c0 + 2, c0 + 3});
     points_.clear();
     pointCorners_.clear();
@@ -256,26 +251,6 @@ void MeshAssembler::addIndices(std::span<const std::uint32_t> corners) {
     for (const std::uint32_t corner : corners) mesh_.indices.push_back(vertices[corner]);
     if (!loaded_.hasNormals)
         loaded_.indexCorners.insert(loaded_.indexCorners.end(), corners.begin(), corners.end());
-}
-
-// Whether a polygon has an area (see kFlatSquared). Sets isPlain if the first and the last triangle of its
-// fan face the same way as the whole polygon: then a quad may be cut from its first corner to its third.
-bool MeshAssembler::hasArea(const Ring& ring, bool& isPlain) {
-    const std::uint32_t* corners = loaded_.faces.cornerPositions.data() + ring.firstCorner;
-    const glm::dvec3 origin(mesh_.positions[corners[0]]);
-    glm::dvec3 edge = glm::dvec3(mesh_.positions[corners[1]]) - origin;
-    glm::dvec3 area(0.0), first(0.0), last(0.0);
-    double size = glm::dot(edge, edge);  // squared extent of the polygon
-    for (std::uint32_t i = 2; i < ring.cornerCount; ++i) {
-        const glm::dvec3 next = glm::dvec3(mesh_.positions[corners[i]]) - origin;
-        last = glm::cross(edge, next);
-        if (i == 2) first = last;
-        area += last;
-        size = std::max(size, glm::dot(next, next));
-        edge = next;
-    }
-    isPlain = glm::dot(first, area) > 0.0 && glm::dot(last, area) > 0.0;
-    return glm::dot(area, area) > kFlatSquared * size * size;
 }
 
 void MeshAssembler::report(const PrimitiveCorners& primitive) {

@@ -1,90 +1,42 @@
 #include "loaders/geometry/PrimitiveReader.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
+#include "loaders/geometry/PrimitiveKind.h"
 #include "loaders/text/NumberParser.h"
 #include "loaders/text/Words.h"
 
 namespace walkcycle {
 namespace {
 
-enum class Kind { Triangles, Polylist, Polygons, Trifans, Tristrips, Lines, Linestrips };
-
-struct KindName {
-    const char* name;
-    Kind kind;
-};
-constexpr std::array<KindName, 7> kKinds{{{"triangles", Kind::Triangles},
-                                          {"polylist", Kind::Polylist},
-                                          {"polygons", Kind::Polygons},
-                                          {"trifans", Kind::Trifans},
-                                          {"tristrips", Kind::Tristrips},
-                                          {"lines", Kind::Lines},
-                                          {"linestrips", Kind::Linestrips}}};
-
-const KindName* kindOf(XmlNode element) {
-    const auto found =
-        std::find_if(kKinds.begin(), kKinds.end(), [&](const KindName& k) { return element.is(k.name); });
-    return found == kKinds.end() ? nullptr : &*found;
-}
-
-// A fan or strip is cut into triangles or lines, whose corners are copies. Returns which corner of the <p>
-// was copied to `corner`.
-std::size_t cornerBeforeCut(Kind kind, std::size_t corner) {
-    const std::size_t size = kind == Kind::Linestrips ? 2 : 3;
-    const std::size_t ring = corner / size, nth = corner % size;
-    if (kind == Kind::Trifans && nth == 0) return 0;
-    const bool swapped = kind == Kind::Tristrips && ring % 2 == 1 && nth < 2;
-    return ring + (swapped ? 1 - nth : nth);
-}
-
-bool isCut(Kind kind) {
-    return kind == Kind::Trifans || kind == Kind::Tristrips || kind == Kind::Linestrips;
-}
-
-// Finds a corner of a fan or a strip in the file.
-CornerLocation findCutCorner(const PrimitiveCorners& primitive, Kind kind, std::size_t corner,
-                             std::size_t offset) {
-    const std::size_t size = kind == Kind::Linestrips ? 2 : 3, stride = primitive.inputs.stride;
-    for (XmlNode p : primitive.element.children("p")) {
-        std::string joined;
-        const std::size_t held = countWords(p.rawText(joined)) / stride;
-        const std::size_t cut = held < size ? 0 : (held - size + 1) * size;
-        if (corner < cut) return {p, p.lineOfWord(cornerBeforeCut(kind, corner) * stride + offset)};
-        corner -= cut;
-    }
-    return {primitive.element, primitive.element.line()};
-}
-
 // Reads the corners of one primitive. The members are what the steps share.
 class CornerReader {
 public:
-    CornerReader(XmlNode element, Kind kind, const Vertices& vertices, const LoadContext& context)
+    CornerReader(XmlNode element, PrimitiveKind kind, const Vertices& vertices, const LoadContext& context)
         : kind_(kind), context_(context), pieceRead_(context.pieceRead()) {
         out_.element = element;
         out_.inputs = readPrimitiveInputs(element, vertices, context);
-        const bool lines = kind == Kind::Lines || kind == Kind::Linestrips;
+        const bool lines = kind == PrimitiveKind::Lines || kind == PrimitiveKind::Linestrips;
         out_.kind = lines ? Primitive::Lines : Primitive::Triangles;
     }
 
     PrimitiveCorners read() {
         switch (kind_) {
-            case Kind::Triangles:
+            case PrimitiveKind::Triangles:
                 readRuns(3);
                 break;
-            case Kind::Lines:
+            case PrimitiveKind::Lines:
                 readRuns(2);
                 break;
-            case Kind::Polylist:
+            case PrimitiveKind::Polylist:
                 readPolylist();
                 break;
-            case Kind::Polygons:
-            case Kind::Trifans:
-            case Kind::Tristrips:
-            case Kind::Linestrips:
+            case PrimitiveKind::Polygons:
+            case PrimitiveKind::Trifans:
+            case PrimitiveKind::Tristrips:
+            case PrimitiveKind::Linestrips:
                 readLists();
                 break;
         }
@@ -161,12 +113,12 @@ private:
     // <polygons>, <trifans>, <tristrips>, <linestrips>: each <p> is a polygon, fan, strip or line of its own.
     void readLists() {
         for (XmlNode child : out_.element.children()) {
-            const bool holed = child.is("ph") && kind_ == Kind::Polygons;
+            const bool holed = child.is("ph") && kind_ == PrimitiveKind::Polygons;
             if (!holed && !child.is("p")) continue;
             ++held_;
             const std::size_t first = out_.cornerCount();
             const std::size_t corners = appendCorners(holed ? child.child("p") : child);
-            if (kind_ == Kind::Polygons) {
+            if (kind_ == PrimitiveKind::Polygons) {
                 const bool added = addFace(child, first, corners);
                 if (holed && added) addHoles(child);
             } else {
@@ -190,7 +142,7 @@ private:
     // Replaces the corners from `first` on, which are a fan or strip, by the corners of its triangles or
     // lines.
     void cut(XmlNode p, std::size_t first, std::size_t corners) {
-        const std::size_t size = kind_ == Kind::Linestrips ? 2 : 3;
+        const std::size_t size = kind_ == PrimitiveKind::Linestrips ? 2 : 3;
         const auto from = out_.indices.begin() + static_cast<std::ptrdiff_t>(first * stride());
         strip_.assign(from, out_.indices.end());
         out_.indices.erase(from, out_.indices.end());
@@ -198,9 +150,9 @@ private:
         for (std::size_t i = 0; i + size <= corners; ++i) {
             addRing(out_.cornerCount(), size, false);
             const bool odd = i % 2 == 1;  // every second triangle of a strip is wound the other way
-            if (kind_ == Kind::Linestrips) copy({i, i + 1});
-            if (kind_ == Kind::Trifans) copy({0, i + 1, i + 2});
-            if (kind_ == Kind::Tristrips) copy({odd ? i + 1 : i, odd ? i : i + 1, i + 2});
+            if (kind_ == PrimitiveKind::Linestrips) copy({i, i + 1});
+            if (kind_ == PrimitiveKind::Trifans) copy({0, i + 1, i + 2});
+            if (kind_ == PrimitiveKind::Tristrips) copy({odd ? i + 1 : i, odd ? i : i + 1, i + 2});
         }
     }
 
@@ -250,7 +202,7 @@ private:
                                         {name, std::string(text), "primitives", std::to_string(held_)});
     }
 
-    Kind kind_;
+    PrimitiveKind kind_;
     const LoadContext& context_;
     PieceRead pieceRead_;
     PrimitiveCorners out_;
@@ -265,12 +217,8 @@ private:
 
 }  // namespace
 
-bool isPrimitive(XmlNode element) {
-    return kindOf(element) != nullptr;
-}
-
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context) {
-    return CornerReader(element, kindOf(element)->kind, vertices, context).read();
+    return CornerReader(element, *primitiveKindOf(element), vertices, context).read();
 }
 
 double textBytes(const PrimitiveCorners& primitive) {
@@ -278,28 +226,6 @@ double textBytes(const PrimitiveCorners& primitive) {
     std::string joined;
     for (XmlNode p : primitive.element.children("p")) bytes += static_cast<double>(p.rawText(joined).size());
     return bytes;
-}
-
-CornerLocation findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset) {
-    const Kind kind = kindOf(primitive.element)->kind;
-    if (isCut(kind)) return findCutCorner(primitive, kind, corner, offset);
-    std::size_t number = corner * primitive.inputs.stride + offset;
-    CornerLocation location{primitive.element, primitive.element.line()};
-    const auto lookIn = [&](XmlNode p) {
-        std::string joined;
-        const std::size_t numbers = countWords(p.rawText(joined));
-        if (number < numbers) location = {p, p.lineOfWord(number)};
-        const bool found = number < numbers;
-        number -= std::min(number, numbers);
-        return found;
-    };
-    for (XmlNode child : primitive.element.children()) {
-        if (child.is("p") && lookIn(child)) return location;
-        if (!child.is("ph")) continue;
-        for (XmlNode ring : child.children())
-            if ((ring.is("p") || ring.is("h")) && lookIn(ring)) return location;
-    }
-    return location;
 }
 
 }  // namespace walkcycle

@@ -25,23 +25,11 @@ struct PrimitiveCorners {
     const std::int32_t* corner(std::size_t c) const { return indices.data() + c * inputs.stride; }
 };
 
-// Whether the element is one of these.
-bool isPrimitive(XmlNode element);
-
 // Reads the indices of the corners. They are not checked, and may be out of range. If <p>, <vcount> and
 // `count` disagree, reports it and returns the faces that are complete.
 PrimitiveCorners readPrimitive(XmlNode element, const Vertices& vertices, const LoadContext& context);
 
 // The length of the primitive's index text in bytes, without polygons with holes (<ph>).
 double textBytes(const PrimitiveCorners& primitive);
-
-// Where one index of a corner is written in the file, for messages.
-struct CornerLocation {
-    XmlNode element;  // <p> or <h>; the primitive if the index is not found
-    int line = 0;     // 1-based
-};
-// Finds the index number `offset` of a corner. For fans and strips, that is the index of the <p> from which
-// the corner of a triangle or line was copied.
-CornerLocation findCorner(const PrimitiveCorners& primitive, std::size_t corner, std::size_t offset);
 
 }  // namespace walkcycle
