@@ -5,6 +5,8 @@
 #include <locale>
 #include <sstream>
 
+#include "loaders/quirks/Quirks.h"
+
 namespace walkcycle {
 namespace {
 
@@ -35,6 +37,10 @@ void requireValid(const LoadOptions& options) {
             throw InvalidOption("limits." + std::string(limit.name), std::to_string(value),
                                 "can be at most " + std::to_string(limit.most));
     }
+    for (const auto& [name, on] : options.quirks)
+        if (!findQuirk(name))
+            throw InvalidOption("quirks", "{" + name + (on ? ": on}" : ": off}"),
+                                "must name quirks that exist: " + unknownQuirk(name));
 }
 
 }  // namespace walkcycle

@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 shared=$build/install_test/shared parent=$build/install_test/parent
 cache=()
 if command -v ccache >/dev/null; then cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-settings=(-G "$generator" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_POSITION_INDEPENDENT_CODE=ON "${cache[@]}")
+settings=(-G "$generator" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_CXX_FLAGS_DEBUG= -DCMAKE_POSITION_INDEPENDENT_CODE=ON "${cache[@]}")
 
 logged cmake -S "$source" -B "$shared" "${settings[@]}" -DCMAKE_BUILD_TYPE=Debug -DBUILD_SHARED_LIBS=ON \
     -DBUILD_TESTING=OFF -DWALKCYCLE_BUILD_APP=OFF
@@ -17,8 +17,7 @@ logged cmake --build "$shared" --parallel
 install_from "$shared"
 [ ! -e "$prefix/bin" ] || fail "WALKCYCLE_BUILD_APP=OFF installed a program"
 
-libraries=("$prefix"/lib*/libwalkcycle.so "$prefix"/lib*/*/libwalkcycle.so)
-library=$(ls "${libraries[@]}" 2>/dev/null | head -1)
+library=$(find "$prefix" -name libwalkcycle.so)
 [ -n "$library" ] || fail "there is no libwalkcycle.so"
 readelf -d "$library" | grep -q 'SONAME.*libwalkcycle\.so\.[0-9][0-9.]*\]' || fail "libwalkcycle.so has no versioned SONAME"
 if readelf -d "$library" | grep -E 'NEEDED.*(libGL|libEGL|epoxy|glfw)'; then fail "libwalkcycle.so needs OpenGL"; fi

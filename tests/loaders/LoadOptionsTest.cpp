@@ -62,6 +62,16 @@ TEST(LoadOptionsTest, noLimitIsOverTheMostThatItCanBe) {
     }
 }
 
+TEST(LoadOptionsTest, aQuirkThatDoesNotExistIsRefusedWithTheNearestName) {
+    LoadOptions options;
+    options.quirks["spaced-names"] = true;
+    EXPECT_EQ(refusal(options), "");
+    options.quirks["spaced-name"] = true;
+    EXPECT_EQ(refusal(options),
+              "LoadOptions::quirks is {spaced-name: on}; it must name quirks that exist: there is no quirk "
+              "'spaced-name'; perhaps 'spaced-names' is meant");
+}
+
 TEST(LoadOptionsTest, nothingIsReadBeforeTheOptionsAreRight) {
     LoadOptions options;
     options.tolerance = kNaN;

@@ -15,9 +15,8 @@ namespace walkcycle {
 // Faults of the document that leave something to show are listed in Model::diagnostics.
 //
 // Throws LoadError if nothing can be shown or the caller cancelled, InvalidOption if a value of `options` is not allowed,
-// std::invalid_argument if LoadOptions::quirks names a quirk that does not exist, and std::bad_alloc. Exceptions of the
-// options' callbacks reach the caller. Several threads may load at once. A load may start threads; they end before it
-// returns.
+// and std::bad_alloc. Exceptions of the options' callbacks reach the caller. Several threads may load at once. A load may
+// start threads; they end before it returns.
 WALKCYCLE_API Model loadCollada(const std::string& path, const LoadOptions& options = {});
 
 // The same from memory; `bytes` are not needed after the call. Messages call the document `name`, and its references are

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 
 #include "loaders/document/Diagnostics.h"
-#include "loaders/text/Spelling.h"
-#include "loaders/text/Words.h"
 #include "walkcycle/loaders/LoadOptions.h"
 
 namespace walkcycle {
@@ -132,17 +129,6 @@ void Dialects::note(Quirk quirk, const XmlNode& where) {
     if (!used && row.code == info(Code::QuirkFollowed).id)
         diagnostics_.report(Code::QuirkFollowed, where, {std::string(row.name), std::string(rule)});
     used = true;
-}
-
-void Dialects::requireKnownQuirks(const LoadOptions& options) {
-    for (const auto& [name, on] : options.quirks)
-        if (!findQuirk(name)) throw std::invalid_argument(unknownQuirk(name));
-}
-
-std::string unknownQuirk(std::string_view name) {
-    std::string known;
-    for (const QuirkInfo& info : kQuirks) known += std::string(info.name) + " ";
-    return "there is no quirk '" + printable(name) + "'" + didYouMean(name, known);
 }
 
 }  // namespace walkcycle

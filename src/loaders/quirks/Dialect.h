@@ -54,11 +54,8 @@ private:
 // The dialects of the documents of one load, each read once from the document's <asset>.
 class Dialects {
 public:
-    // Throws std::invalid_argument if the options name a quirk that does not exist.
     Dialects(const LoadOptions& options, Diagnostics& diagnostics)
-        : options_(options), diagnostics_(diagnostics) {
-        requireKnownQuirks(options);
-    }
+        : options_(options), diagnostics_(diagnostics) {}
 
     // The dialect of the document that the element stands in.
     const Dialect& of(const XmlNode& element) { return entryOf(element); }
@@ -68,9 +65,6 @@ public:
     // another code (QuirkInfo::code), which the caller reports.
     void note(Quirk quirk, const XmlNode& where);
 
-    // Throws std::invalid_argument as the constructor does.
-    static void requireKnownQuirks(const LoadOptions& options);
-
 private:
     Dialect& entryOf(const XmlNode& element);
 
@@ -78,8 +72,5 @@ private:
     Diagnostics& diagnostics_;
     std::unordered_map<XmlNode, Dialect> byDocument_;  // by root element
 };
-
-// "there is no quirk 'spaced-name'; perhaps 'spaced-names' is meant", for a name that findQuirk() does not know.
-std::string unknownQuirk(std::string_view name);
 
 }  // namespace walkcycle

@@ -189,6 +189,9 @@ constexpr const QuirkInfo* findQuirk(std::string_view name) {
     return nullptr;
 }
 
+// "there is no quirk 'spaced-name'; perhaps 'spaced-names' is meant", for a name that findQuirk() does not know.
+std::string unknownQuirk(std::string_view name);
+
 inline std::string textOf(ToolVersion version) {
     return std::to_string(version.major) + "." + std::to_string(version.minor);
 }

@@ -11,7 +11,6 @@
 namespace walkcycle {
 namespace {
 
-using ::testing::ThrowsMessage;
 
 bool operator==(const Exporter& a, const Exporter& b) {
     return a.tool == b.tool && a.version == b.version;
@@ -125,14 +124,6 @@ TEST(DialectTest, whatIsNotedIsSaidOncePerDocument) {
     EXPECT_EQ(codes(load.diagnostics.all()), std::vector<std::string>{"WC0120"});
     EXPECT_TRUE(load.dialects.of(load.collada).isUsed(Quirk::ExtraVisibility));
     EXPECT_TRUE(load.dialects.of(load.collada).isUsed(Quirk::SkinByNode));
-}
-
-TEST(DialectTest, aQuirkThatIsNotThereIsRefusedWithTheNearestName) {
-    LoadOptions options;
-    options.quirks["spaced-name"] = true;
-    EXPECT_THAT([&] { loadText(collada(scene("<node/>")), options); },
-                ThrowsMessage<std::invalid_argument>(
-                    "there is no quirk 'spaced-name'; perhaps 'spaced-names' is meant"));
 }
 
 }  // namespace
