@@ -11,7 +11,6 @@
 namespace walkcycle {
 namespace {
 
-
 bool operator==(const Exporter& a, const Exporter& b) {
     return a.tool == b.tool && a.version == b.version;
 }
