@@ -49,7 +49,9 @@ TEST(QuirksTest, eachFixtureIsReadWithItsQuirkByDefaultAndSaysSoOnce) {
         EXPECT_EQ(std::count(said.begin(), said.end(), quirk.code), 1) << quirk.name;
         EXPECT_THAT(codes(read.off.diagnostics), Not(Contains(std::string(quirk.code)))) << quirk.name;
         for (const Diagnostic& one : read.on.diagnostics)
-            if (one.code == quirk.code) EXPECT_EQ(one.severity, Severity::Info) << quirk.name;
+            if (one.code == quirk.code) {
+                EXPECT_EQ(one.severity, Severity::Info) << quirk.name;
+            }
     }
 }
 
