@@ -18,8 +18,7 @@ void whenDisplayIsLost(void (*handler)()) {
     lossHandler = handler;
 }
 
-// GLFW opens Xlib while it runs. Linking it here would make it a requirement on machines that have Wayland
-// alone.
+// GLFW loads Xlib at run time. If this library linked Xlib, it would not start on machines that have only Wayland.
 void watchDisplay() {
     using Handler = int (*)(void*);
     using SetHandler = Handler (*)(Handler);

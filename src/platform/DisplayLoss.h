@@ -2,12 +2,12 @@
 
 namespace walkcycle {
 
-// Sets what is called when a window loses its display because the server was stopped or the connection cut.
-// Xlib then ends the program with a message of its own, unless the handler ends it first. The handler must
-// not use the display.
+// Sets the function to call when the connection to the X server breaks. After the call Xlib ends the program with a
+// message of its own, so a handler that wants another message or exit code ends the program itself. The handler must not
+// use the display.
 void whenDisplayIsLost(void (*handler)());
 
-// Starts to watch for that. Call it once a display is open; it does nothing without X11.
+// Installs that handler in Xlib. Call it after a display was opened; without X11 it does nothing.
 void watchDisplay();
 
 }  // namespace walkcycle

@@ -16,11 +16,13 @@
 namespace walkcycle {
 namespace {
 
+// A display that may give a context, and its name for description().
 struct Candidate {
     EGLDisplay display = EGL_NO_DISPLAY;
     std::string name;
 };
 
+// Whether a list of extensions, with spaces between them, has this name.
 bool lists(const char* extensions, std::string_view name) {
     const std::string_view all = extensions ? extensions : "";
     for (std::size_t at = all.find(name); at != all.npos; at = all.find(name, at + 1)) {
@@ -74,22 +76,22 @@ std::vector<Candidate> defaultDisplay() {
     return {{display, "EGL default display"}};
 }
 
-// The ways to get a display, best first. A way is tried only after those before it failed, because trying
-// takes time.
+// The ways to get a display, in the order in which they are tried. Each takes time, so a later way is not even listed
+// before the earlier ones have failed.
 using Way = std::vector<Candidate> (*)(const char*);
 std::vector<Way> waysToADisplay() {
     const Way device = deviceDisplays;
     const Way surfaceless = surfacelessDisplay;
     const Way standard = [](const char*) { return defaultDisplay(); };
-    const char* wish = std::getenv("EGL_PLATFORM");
-    const std::string_view wished = wish ? wish : "";
-    if (wished.empty() || wished == "device") return {device, surfaceless, standard};
-    if (wished == "surfaceless") return {surfaceless, device, standard};
+    const char* variable = std::getenv("EGL_PLATFORM");
+    const std::string_view preferred = variable ? variable : "";
+    if (preferred.empty() || preferred == "device") return {device, surfaceless, standard};
+    if (preferred == "surfaceless") return {surfaceless, device, standard};
     return {standard, device, surfaceless};
 }
 
-// All contexts of a process on one device share its display, and eglTerminate ends it for all of them: so the
-// last context calls it.
+// All contexts of a process on one device share its display, and eglTerminate ends the display for all of them. So only
+// the last context calls it.
 std::mutex displayMutex;
 std::map<EGLDisplay, int> displayUsers;
 
@@ -116,10 +118,11 @@ const EGLint kContextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                      EGL_NONE};
 
 EGLConfig chooseConfig(EGLDisplay display, EGLint surfaceType) {
-    const EGLint wanted[] = {EGL_SURFACE_TYPE, surfaceType, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    const EGLint attributes[] = {EGL_SURFACE_TYPE, surfaceType, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                 EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    return eglChooseConfig(display, wanted, &config, 1, &count) && count > 0 ? config : nullptr;
+    return eglChooseConfig(display, attributes, &config, 1, &count) && count > 0 ? config : nullptr;
 }
 
 std::string glText(GLenum name) {

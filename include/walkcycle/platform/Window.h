@@ -9,7 +9,8 @@
 
 namespace walkcycle {
 
-// Keys as GLFW numbers them; letters and digits are their upper-case ASCII characters.
+// The keys of Window::onKey, with the numbers of GLFW. Letters and digits are not listed: their numbers are the
+// upper-case ASCII characters, such as 'A'. (GLFW numbers keys by their place on a US keyboard.)
 enum Key : int {
     KeySpace = ' ',
     KeyComma = ',',
@@ -31,54 +32,57 @@ enum Key : int {
     KeyEnd = 269,
     KeyF1 = 290
 };
+// Bits of the argument `modifiers` of Window's callbacks.
 enum KeyModifier : int { ModShift = 1, ModControl = 2, ModAlt = 4, ModSuper = 8 };
+// Other: any button beyond the third.
 enum class MouseButton { Left, Right, Middle, Other };
 
-// A window with an OpenGL 3.3 core context, which the constructor makes current on the calling thread. Every
-// callback may be left empty. Mouse positions are in window coordinates (windowSize); pictures are drawn in
-// pixels (framebufferSize), which are smaller on a high-DPI screen.
+// A window with an OpenGL 3.3 core context, which the constructor makes current. For the main thread only, as GLFW is.
+// Two units of length: mouse positions count in window coordinates, from the upper left corner (windowSize), pictures
+// in pixels (framebufferSize). On a high-DPI screen, a window coordinate may span several pixels.
 //
 //     Window window("Walkcycle", 1280, 720);
 //     window.onKey = [&](int key, int modifiers) { if (key == KeySpace) paused = !paused; };
 //     while (!window.shouldClose()) {
 //         window.pollEvents();
-//         renderer.render(model, camera, RenderTarget{0, window.framebufferSize().width, ...}, options);
+//         const Window::Size size = window.framebufferSize();
+//         renderer.render(model, camera, RenderTarget{0, size.width, size.height}, options);
 //         window.swapBuffers();
 //     }
-//
-// Throws NoGraphicsDevice if there is no display or no OpenGL 3.3.
 class WALKCYCLE_API Window {
 public:
     struct Size {
         int width = 0;
         int height = 0;
     };
-    enum class Visibility { Shown, Hidden };
+    enum class Visibility { Shown, Hidden };  // a hidden window gives its OpenGL context only
 
+    // Width and height are in window coordinates. Throws NoGraphicsDevice if there is no display or no OpenGL 3.3.
     Window(const std::string& title, int width, int height, Visibility visibility = Visibility::Shown);
     ~Window();
     Window(Window&&) = delete;
 
-    std::function<void(int key, int modifiers)> onKey;  // pressed or repeated
-    std::function<void(MouseButton button, bool pressed, int modifiers)> onMouseButton;
-    std::function<void(double x, double y)> onMouseMove;
-    std::function<void(double dx, double dy)> onScroll;
-    std::function<void(Size framebuffer)> onResize;  // also while the user drags the border: draw in it
-    std::function<void(const std::vector<std::string>& paths)> onDrop;
+    // Callbacks, which pollEvents() and waitEvents() call. Each may be left empty.
+    std::function<void(int key, int modifiers)> onKey;  // at a press and at each repeat; `key` as in enum Key
+    std::function<void(MouseButton button, bool pressed, int modifiers)> onMouseButton;  // press and release
+    std::function<void(double x, double y)> onMouseMove;  // the new position, in window coordinates, y down
+    std::function<void(double dx, double dy)> onScroll;   // in steps of the wheel; dy > 0: away from the user
+    std::function<void(Size framebuffer)> onResize;  // in pixels; draw in it, for it also runs during a drag
+    std::function<void(const std::vector<std::string>& paths)> onDrop;  // of files dropped on the window
 
-    bool shouldClose() const;
-    void close();
-    void pollEvents();
-    void waitEvents(double seconds);  // sleeps until an event arrives, at most for this long
-    void swapBuffers();
-    void setVerticalSync(bool on);
+    bool shouldClose() const;         // the user has closed the window, or close() was called
+    void close();                     // asks the loop to end; the window closes when the object is deleted
+    void pollEvents();                // calls the callbacks of all events that have arrived
+    void waitEvents(double seconds);  // the same, after a wait for an event of at most `seconds`
+    void swapBuffers();               // shows the picture that was drawn to framebuffer 0
+    void setVerticalSync(bool on);    // on (the default): swapBuffers() waits for the screen
     void setTitle(const std::string& title);
 
-    Size windowSize() const;
-    Size framebufferSize() const;
-    double contentScale() const;  // 1 on an ordinary screen, 2 on a high-DPI one
-    double time() const;          // seconds since the first window was made
-    std::string description() const;
+    Size windowSize() const;       // in window coordinates
+    Size framebufferSize() const;  // in pixels; 0 while the window is minimised
+    double contentScale() const;   // how much to enlarge text: 1 on an ordinary screen, 2 on a high-DPI one
+    double time() const;           // seconds since the first window was made
+    std::string description() const;  // the driver, in one line
 
 private:
     struct Impl;
