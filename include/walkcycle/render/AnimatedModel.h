@@ -14,8 +14,9 @@ namespace walkcycle {
 
 class ModelResource;
 
-// A character on the screen: the model's buffers on the GPU, which all copies share, and the Animator of this
-// one. Needs a current OpenGL context. Starts in the rest pose.
+// A character on the screen: a model, its buffers and textures on the GPU, and an Animator. Copies share the model
+// and the buffers; each copy has an Animator of its own. Starts in the rest pose. Each constructor needs a current
+// OpenGL context, and the character can be drawn in that context only.
 //
 //     AnimatedModel model(loadCollada("res/walker.dae"));
 //     model.doAnimation(model.animations().front());
@@ -25,12 +26,16 @@ public:
     explicit AnimatedModel(Model model);
     explicit AnimatedModel(std::shared_ptr<const Model> model);
 
+    // The clips of the model: first the document's whole timeline, then the clips that the file names.
     const std::vector<Animation>& animations() const { return model_->animations; }
 
-    // These are the Animator's. The clip is one of this model, or made for its skeleton and outliving this.
+    // Starts a clip. It is one of animations(), or a clip for the same skeleton that outlives this object.
     void doAnimation(const Animation& animation);
     void doAnimation(const Animation&& temporary) = delete;
-    void doAnimation(std::string_view clip) { doAnimation(model_->animation(clip)); }  // throws NoSuchClip
+    // Starts the clip of that name. Throws NoSuchClip.
+    void doAnimation(std::string_view clip) { doAnimation(model_->animation(clip)); }
+
+    // The functions of the same names of Animator, which describes them. The first four also update scene().
     void update(double seconds);
     void setTime(double seconds);
     void step(double seconds);
@@ -39,14 +44,19 @@ public:
     void setLoopMode(LoopMode mode) { animator_.setLoopMode(mode); }
 
     const Model& model() const { return *model_; }
-    const Animator& animator() const { return animator_; }
-    const SceneState& scene() const { return scene_; }  // materials, cameras, lights as they are now
-    bool visible(int node) const;                       // neither the node nor an ancestor is hidden
+    const Animator& animator() const { return animator_; }  // the pose, the time and the speed at this moment
 
-    // The bounds that the model stays within during the whole clip (without a clip: of the rest pose).
+    // The materials, cameras and lights with the values that they have at this moment.
+    const SceneState& scene() const { return scene_; }
+
+    // Whether a node (an index into Skeleton::joints) is shown at this moment: neither it nor an ancestor is hidden.
+    bool visible(int node) const;
+
+    // A box in model space that encloses the model during the whole clip; without a clip, in the rest pose.
     // Computed at the first call after doAnimation().
     const Bounds& bounds() const;
 
+    // The buffers and textures on the GPU, for the renderers of this library.
     const std::shared_ptr<ModelResource>& resource() const { return resource_; }
 
 private:
