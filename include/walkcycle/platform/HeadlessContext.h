@@ -21,8 +21,8 @@ public:
     HeadlessContext(HeadlessContext&&) noexcept;
     HeadlessContext& operator=(HeadlessContext&&) noexcept;
 
-    // Makes the context current on the calling thread again, for programs with several contexts. Throws NoGraphicsDevice
-    // if the device is gone.
+    // Makes the context current on the calling thread again, for programs with several contexts. Throws
+    // NoGraphicsDevice if the device is gone.
     void makeCurrent();
 
     // The device and the driver, in one line:

@@ -35,8 +35,8 @@ public:
     RenderTarget target() const;
     operator RenderTarget() const { return target(); }  // NOLINT: a picture can be passed as a target
 
-    // Copies the picture from the GPU: sRGB, rows from the top. Alpha is coverage times opacity, and the colours are not
-    // multiplied by it (straight alpha); a pixel of alpha 0 is black.
+    // Copies the picture from the GPU: sRGB, rows from the top. Alpha is coverage times opacity, and the colours are
+    // not multiplied by it (straight alpha); a pixel of alpha 0 is black.
     Image read() const;
 
 private:
