@@ -22,7 +22,8 @@ namespace {
 
 using Pass = AnimatedModelShader::Pass;
 
-// Dark, and thin enough that a dense mesh does not turn black; linear light, premultiplied.
+// The colour of the wireframe: dark, and half transparent so that a dense mesh does not become black. Linear light,
+// premultiplied.
 constexpr glm::vec4 kEdges{0.008f, 0.009f, 0.011f, 0.55f};
 
 struct Wireframe {
@@ -38,17 +39,19 @@ struct Wireframe {
 }  // namespace
 
 struct AnimatedModelRenderer::Impl {
+    // A part to draw in this picture.
     struct Draw {
         std::size_t instance = 0;
         const ModelResource::Part* part = nullptr;
         const Material* material = nullptr;
-        float distance = 0.0f;  // from the camera
+        float distance = 0.0f;  // from the camera, for the order of transparent parts
     };
+    // The arguments of one picture.
     struct Scene {
         const AnimatedModel& model;
         const Camera& camera;
         const RenderOptions& options;
-        bool encodesItself;
+        bool encodesItself;  // as startDrawingTo() returns it
     };
 
     std::map<AnimatedModelShader::Variant, AnimatedModelShader> shaders;
@@ -86,7 +89,8 @@ void AnimatedModelRenderer::Impl::prepare(const Scene& scene) {
     lightTexture.bind(TextureUnit::kLights);
 }
 
-// Solid parts first, in the file's order; then what shows through, the farthest first.
+// Fills `solid` in the file's order, and `seeThrough` with the farthest part first: a transparent part blends with
+// the colours behind it, which must be in the picture already.
 void AnimatedModelRenderer::Impl::sortParts(const Scene& scene) {
     solid.clear();
     seeThrough.clear();
@@ -131,8 +135,8 @@ void AnimatedModelRenderer::Impl::drawSolid(const Scene& scene, const AnimatedMo
         glPolygonOffset(1.0f, 1.0f);
     }
     for (const Draw& draw : solid) drawPart(scene, shader, draw, Pass::All);
-    // Hair and leaves: the opaque pixels of their texture hide what is behind them, whatever the order of
-    // drawing.
+    // The opaque pixels of hair and leaves are drawn with the solid parts, so that they hide the parts behind them in
+    // any order. The other pixels follow in drawSeeThrough().
     for (const Draw& draw : seeThrough) {
         if (hasTexture(*draw.material, Slot::Transparent)) drawPart(scene, shader, draw, Pass::Solid);
     }

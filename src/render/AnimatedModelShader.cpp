@@ -15,14 +15,15 @@
 namespace walkcycle {
 namespace {
 
-// The slots that studio light uses.
 constexpr std::uint32_t bit(Slot slot) {
     return 1u << static_cast<unsigned>(slot);
 }
+// The slots that studioFragment.glsl reads.
 constexpr std::uint32_t kStudioSlots =
     bit(Slot::Emission) | bit(Slot::Diffuse) | bit(Slot::Transparent) | bit(Slot::Bump);
 
-ShaderNeeds needed(ShaderNeeds needs, Lighting lighting) {
+// Those of the needs that the shader of this kind of light can meet.
+ShaderNeeds usedNeeds(ShaderNeeds needs, Lighting lighting) {
     if (lighting == Lighting::Studio) needs.texturedSlots &= kStudioSlots;
     needs.bumped = needs.bumped && (needs.texturedSlots & bit(Slot::Bump));
     return needs;
@@ -50,15 +51,16 @@ ShaderProgram program(const AnimatedModelShader::Variant& variant) {
     return ShaderProgram({{"animatedModelVertex"}, {"surface", "fileFragment"}}, defines(variant));
 }
 
-// Grey, for a part without a material, or with a material that has neither a diffuse nor an emission colour.
+// The diffuse colour of a material that has neither a diffuse nor an emission colour, in sRGB. For studio light only:
+// by the formulas of COLLADA such a material is black.
 constexpr glm::vec4 kClay{0.75f, 0.75f, 0.75f, 1.0f};
 
 std::array<glm::vec4, kSlotCount> slotColors(const Material& material, Lighting lighting) {
     std::array<glm::vec4, kSlotCount> colors;
     for (std::size_t s = 0; s < colors.size(); ++s) colors[s] = material.slots[s].color;
-    const bool silent = !material.slot(Slot::Diffuse).present && !material.slot(Slot::Emission).present;
+    const bool hasNoColor = !material.slot(Slot::Diffuse).present && !material.slot(Slot::Emission).present;
     if (lighting == Lighting::File) return colors;
-    if (silent) colors[static_cast<std::size_t>(Slot::Diffuse)] = kClay;
+    if (hasNoColor) colors[static_cast<std::size_t>(Slot::Diffuse)] = kClay;
     for (const Slot slot : {Slot::Diffuse, Slot::Emission}) {
         glm::vec4& color = colors[static_cast<std::size_t>(slot)];
         color = glm::vec4(linearOfSrgb(glm::vec3(color)), color.a);
@@ -97,7 +99,7 @@ void DeformUniforms::load(const Values& values) const {
 }
 
 AnimatedModelShader::AnimatedModelShader(const Variant& variant)
-    : variant_{variant.lighting, variant.encodesItself, needed(variant.needs, variant.lighting)},
+    : variant_{variant.lighting, variant.encodesItself, usedNeeds(variant.needs, variant.lighting)},
       program_(walkcycle::program(variant_)),
       deform_((program_.start(), program_)),
       viewProjection_(program_.uniform("viewProjection")),

@@ -14,15 +14,15 @@
 
 namespace walkcycle {
 
-// The uniforms by which animatedModelVertex.glsl deforms an instance.
+// The uniforms of animatedModelVertex.glsl that say how an instance is deformed. They have the same names there.
 struct DeformUniforms {
     struct Values {
-        int firstJoint = 0;       // index of the instance's first matrix in the palette
-        int jointsPerWalker = 0;  // in a crowd: matrices per walker; the next palette begins so much later
-        int influenceCount = 1;   // the most influences of a vertex, up to four
+        int firstJoint = 0;           // index of the instance's first matrix in the palette
+        int jointsPerWalker = 0;      // in a crowd: how many matrices later the next walker's palette begins
+        int influenceCount = 1;       // the most influences of a vertex, up to four
         glm::ivec2 morphRange{0, 0};  // [first, end) in `morphs`
-        int positionCount = 0;
-        int vertexCount = 0;
+        int positionCount = 0;        // of the mesh: deltas per morph target in `positionDeltas`
+        int vertexCount = 0;          // of the mesh: deltas per morph target in `normalDeltas`
     };
 
     explicit DeformUniforms(const ShaderProgram& program);  // the program must be started
@@ -35,9 +35,9 @@ private:
 // The #defines of animatedModelVertex.glsl for what a model needs.
 std::string deformDefines(const ShaderNeeds& needs);
 
-// The program that draws a model: skinning and morphs in the vertex shader, one of two kinds of light in the
-// fragment shader. A variant has the needs of all parts of a model, so that one variant draws the whole
-// model.
+// The shader program that draws a model: skinning and morphs in the vertex shader, the light of RenderOptions::lights
+// in the fragment shader. It is compiled for the needs of all parts of a model, so that one variant draws the whole
+// model. Call start() before the load functions, which set uniforms and bind textures.
 class AnimatedModelShader {
 public:
     struct Variant {
@@ -47,7 +47,8 @@ public:
 
         auto operator<=>(const Variant&) const = default;
     };
-    // The fragments of a transparent part that a draw keeps.
+    // The fragments that a draw keeps: all, only opaque ones, or only transparent ones of back or of front faces. (Back
+    // faces are drawn before front faces, which blend with them.)
     enum class Pass { All, Solid, Backs, Fronts };
 
     explicit AnimatedModelShader(const Variant& variant);

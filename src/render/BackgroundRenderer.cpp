@@ -18,12 +18,14 @@ void clear(const glm::vec4& color) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-glm::vec3 asTaken(const glm::vec3& srgb, bool encodesItself) {
+// The numbers to give to a target for this colour: linear light, or sRGB if the target does not convert.
+glm::vec3 asStored(const glm::vec3& srgb, bool encodesItself) {
     return encodesItself ? srgb : linearOfSrgb(srgb);
 }
 
-// A point of the picture at depth d is A + d * B in model space (homogeneous), where A depends on the point
-// and B does not. The point lies on the ground at the d for which y is 0.
+// Computes Backdrop::Grid::groundAt. In model space, in homogeneous coordinates, a point of the picture at depth d is
+// A + d * B. A depends on the point, B does not. The ground is at the depth for which y is 0, d = -A.y / B.y, so the
+// point of the ground is A - B * A.y / B.y, or (A * B.y - B * A.y) without the division.
 glm::mat3x4 groundAt(const Camera& camera, double step) {
     const glm::dmat4 fromPicture = glm::inverse(glm::dmat4(camera.viewProjection()));
     const glm::dvec4 b = fromPicture[2];
@@ -37,6 +39,7 @@ glm::mat3x4 groundAt(const Camera& camera, double step) {
     return columns;
 }
 
+// The step is the power of ten nearest to a tenth of half the bounds' diagonal.
 Backdrop::Grid gridOf(const BackgroundRenderer::Ground& ground) {
     const float size = std::max(ground.bounds.diagonal() * 0.5f, 1e-6f);
     const float step = std::pow(10.0f, std::round(std::log10(size)) - 1.0f);
@@ -52,7 +55,7 @@ Backdrop backdropOf(const RenderOptions& options, bool encodesItself,
                       .color = {},
                       .grid = {}};
     if (options.background == Background::Color)
-        backdrop.color = asTaken(options.backgroundColor, encodesItself);
+        backdrop.color = asStored(options.backgroundColor, encodesItself);
     if (ground) backdrop.grid = gridOf(*ground);
     return backdrop;
 }
@@ -65,7 +68,7 @@ void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself
     const bool empty = options.background == Background::None || plainColor;
     std::optional<Backdrop>* const underlay = target.picture ? target.picture->underlay() : nullptr;
     if (underlay) underlay->reset();
-    clear(plainColor ? glm::vec4(asTaken(options.backgroundColor, encodesItself), 1.0f) : glm::vec4(0.0f));
+    clear(plainColor ? glm::vec4(asStored(options.backgroundColor, encodesItself), 1.0f) : glm::vec4(0.0f));
     if (empty) return;
     const Backdrop backdrop = backdropOf(options, encodesItself, ground, target);
     if (underlay) {

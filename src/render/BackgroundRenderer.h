@@ -13,9 +13,8 @@
 
 namespace walkcycle {
 
-// Fills the picture before anything else is drawn: with a soft gradient, a colour, or nothing, and with a
-// grid on the ground (the plane y = 0). The grid's steps fit the size of the model that stands on it, and it
-// fades out around the model.
+// Clears the picture and draws its background: a gradient, a colour or nothing, and a grid on the ground (the plane
+// y = 0). The steps of the grid fit the size of the model that stands on it, and the grid fades out around the model.
 class BackgroundRenderer {
 public:
     struct Ground {
@@ -23,7 +22,7 @@ public:
         const Bounds& bounds;  // of the model that stands on it
     };
 
-    // Without `ground`: no grid.
+    // `encodesItself` is as startDrawingTo() returns it. If `ground` is null, there is no grid.
     void render(const RenderOptions& options, bool encodesItself, const Ground* ground,
                 const RenderTarget& target);
 

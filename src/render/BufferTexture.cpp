@@ -13,7 +13,7 @@ GLuint newBufferTexture(GLuint buffer, GLenum format) {
     return id;
 }
 
-// A buffer's name becomes a buffer when it is first bound, and glTexBuffer wants a buffer.
+// OpenGL creates a buffer when its name is first bound, and glTexBuffer refuses a name without a buffer.
 GLuint bound(const Vbo& vbo) {
     vbo.bind();
     return vbo.id();

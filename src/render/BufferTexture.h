@@ -8,10 +8,10 @@
 
 namespace walkcycle {
 
-// A long array that shaders read with texelFetch: palettes, influences, morph deltas, lights.
+// A long array that shaders read by index (texelFetch): palettes, influences, morph deltas, lights.
 class BufferTexture {
 public:
-    // `format` is the format of a texel: GL_RGBA32F, GL_RG32F, GL_RG32UI.
+    // `format` is the format of an entry (texel): GL_RGBA32F, GL_RG32F or GL_RG32UI.
     explicit BufferTexture(GLenum format);
 
     void bind(int unit) const;

@@ -15,8 +15,8 @@
 namespace walkcycle {
 namespace {
 
-constexpr float kFramingFovDegrees = 30.0f;  // long enough to keep a body's proportions
-constexpr float kRoom = 1.05f;               // how much larger the picture is than what it frames
+constexpr float kFramingFovDegrees = 30.0f;  // narrow, since a wide angle distorts the proportions of a body
+constexpr float kMargin = 1.05f;             // how much larger the picture is than the bounds
 constexpr double kMinFov = 1e-3, kMaxFov = 179.0;
 
 std::array<glm::vec3, 8> corners(const Bounds& bounds) {
@@ -29,8 +29,9 @@ std::array<glm::vec3, 8> corners(const Bounds& bounds) {
     return points;
 }
 
-// The bounds to frame: a box of size 1 or 2 in place of empty bounds or a single point.
-Bounds something(const Bounds& bounds) {
+// The bounds themselves; a cube of edge 2 around the origin in place of empty bounds, and a cube of edge 1 in place
+// of a single point.
+Bounds nonEmpty(const Bounds& bounds) {
     Bounds box = bounds;
     if (box.empty()) box = Bounds{glm::vec3(-1.0f), glm::vec3(1.0f)};
     if (box.diagonal() < 1e-6f) {
@@ -40,8 +41,8 @@ Bounds something(const Bounds& bounds) {
     return box;
 }
 
-// A rotation whose -Z points along `direction`, and whose +Y is as close to `up` as possible.
-glm::mat3 looking(const glm::vec3& direction, const glm::vec3& up) {
+// The axes of a camera as columns: -Z points along `direction`, and +Y is as close to `up` as possible.
+glm::mat3 axesAlong(const glm::vec3& direction, const glm::vec3& up) {
     const glm::vec3 back = -glm::normalize(direction);
     glm::vec3 right = glm::cross(up, back);
     if (glm::length(right) < 1e-5f * std::max(glm::length(up), 1e-30f)) {
@@ -59,6 +60,7 @@ glm::mat4 viewFrom(const glm::mat3& axes, const glm::vec3& position) {
     return view;
 }
 
+// Distances of the near and the far plane from the camera.
 struct Depths {
     float near, far;
 };
@@ -103,7 +105,7 @@ glm::mat4 rigidView(const glm::mat4& node) {
     if (!finite(node) || glm::length(glm::vec3(node[2])) < 1e-20f) return glm::mat4(1.0f);
     const glm::vec3 up =
         glm::length(glm::vec3(node[1])) < 1e-20f ? glm::vec3(0, 1, 0) : glm::normalize(glm::vec3(node[1]));
-    return viewFrom(looking(-glm::vec3(node[2]), up), glm::vec3(node[3]));
+    return viewFrom(axesAlong(-glm::vec3(node[2]), up), glm::vec3(node[3]));
 }
 
 double halfTangent(double fovDegrees) {
@@ -114,8 +116,8 @@ struct HalfSize {
     double x, y;
 };
 
-// Half width and half height. If one is missing, the aspect of the camera gives it, else the aspect of the
-// picture.
+// Half the width and half the height of a camera of the file. If one is missing, the other and the camera's own aspect
+// (else that of the picture) give it. If both are missing, half the height is `otherwise`.
 HalfSize completed(std::optional<double> x, std::optional<double> y, std::optional<double> aspect,
                    double pictureAspect, double otherwise) {
     const double ratio = aspect && *aspect > 0.0 && std::isfinite(*aspect) ? *aspect : pictureAspect;
@@ -170,16 +172,16 @@ Camera Camera::framing(const Bounds& bounds, float aspect, CameraPreset preset) 
 
 Camera Camera::framingFrom(const Bounds& wanted, float aspect, const glm::vec3& towardsCamera,
                            const glm::vec3& up) {
-    const Bounds bounds = something(wanted);
-    const glm::mat3 axes = looking(-towardsCamera, up);
+    const Bounds bounds = nonEmpty(wanted);
+    const glm::mat3 axes = axesAlong(-towardsCamera, up);
     const float halfY = std::tan(glm::radians(kFramingFovDegrees) * 0.5f), halfX = halfY * aspect;
 
     // The camera must be far enough away to see each corner.
     float distance = 0.0f;
     for (const glm::vec3& corner : corners(bounds)) {
         const glm::vec3 p = (corner - bounds.center()) * axes;
-        distance =
-            std::max({distance, p.z + std::abs(p.x) * kRoom / halfX, p.z + std::abs(p.y) * kRoom / halfY});
+        distance = std::max(
+            {distance, p.z + std::abs(p.x) * kMargin / halfX, p.z + std::abs(p.y) * kMargin / halfY});
     }
     Camera camera;
     camera.view = viewFrom(axes, bounds.center() + axes[2] * distance);
@@ -193,8 +195,8 @@ Camera Camera::lookAt(const glm::vec3& position, const glm::vec3& focalPoint, co
     const glm::vec3 towards = focalPoint - position;
     Camera camera;
     camera.view =
-        viewFrom(looking(glm::length(towards) > 0.0f ? towards : glm::vec3(0, 0, -1), up), position);
-    const Depths depths = depthsAround(something(bounds), camera.view);
+        viewFrom(axesAlong(glm::length(towards) > 0.0f ? towards : glm::vec3(0, 0, -1), up), position);
+    const Depths depths = depthsAround(nonEmpty(bounds), camera.view);
     const float fov =
         std::clamp(verticalFovDegrees, static_cast<float>(kMinFov), static_cast<float>(kMaxFov));
     camera.projection = glm::perspective(glm::radians(fov), aspect, depths.near, depths.far);

@@ -39,11 +39,11 @@ std::size_t matrixCount(const Model& model, const MeshInstance& instance) {
 void requireShader(const AnimatedModel& model) {
     for (const ModelResource::Instance& instance : model.resource()->instances())
         if (instance.deformedOnCpu)
-            throw GraphicsError("a crowd cannot be drawn of a model that the shader cannot deform");
+            throw GraphicsError("the shader cannot deform this model, so it cannot be drawn as a crowd");
 }
 
-// The passes that draw a part, of the solid or of the transparent round; the same as in
-// AnimatedModelRenderer.
+// The passes that draw a part with this material: in the first round, which draws opaque fragments, or (`seeThrough`)
+// in the second, which draws transparent ones. They are the same as in AnimatedModelRenderer.
 std::vector<Pass> passes(const Material& material, bool seeThrough) {
     if (!showsThrough(material)) return seeThrough ? std::vector<Pass>{} : std::vector{Pass::All};
     if (seeThrough) return {Pass::Backs, Pass::Fronts};
@@ -56,9 +56,9 @@ struct CrowdRenderer::Impl {
     struct Scene {
         const AnimatedModel& model;
         const AnimatedModelShader& shader;
-        std::size_t stride;   // joints a walker
-        std::size_t page;     // of the palettes
-        std::size_t walkers;  // in it
+        std::size_t stride;   // matrices per walker
+        std::size_t page;     // index into `pages`
+        std::size_t walkers;  // in this page
     };
 
     explicit Impl(std::size_t maxTexels) : maxJoints(maxTexels / kRowsPerJoint) {}
@@ -74,8 +74,8 @@ struct CrowdRenderer::Impl {
     InstanceStates states;
     FileLights lights;
     BufferTexture lightTexture{GL_RGBA32F};
-    std::size_t maxJoints;             // of a page
-    std::vector<BufferTexture> pages;  // of palettes, stored from the caller's memory
+    std::size_t maxJoints;             // the most matrices in a page
+    std::vector<BufferTexture> pages;  // the palettes, as many whole ones in each page as fit
 };
 
 const AnimatedModelShader& CrowdRenderer::Impl::start(const AnimatedModel& model, const Camera& camera,
@@ -93,10 +93,11 @@ const AnimatedModelShader& CrowdRenderer::Impl::start(const AnimatedModel& model
     return shader;
 }
 
-// Fills pages of the palette with walkers. Returns the number of walkers per page.
+// Copies the palettes into `pages`. Returns the number of walkers per page.
 std::size_t CrowdRenderer::Impl::upload(std::span<const JointRows> palettes, std::size_t stride) {
     const std::size_t walkersAPage = maxJoints / stride;
-    if (walkersAPage == 0) throw GraphicsError("a walker's palette is larger than a texture buffer here");
+    if (walkersAPage == 0)
+        throw GraphicsError("the palette of one walker is larger than a texture buffer of this device");
     std::size_t page = 0;
     for (std::size_t at = 0; at < palettes.size(); at += walkersAPage * stride) {
         if (page == pages.size()) pages.emplace_back(GL_RGBA32F);

@@ -5,6 +5,7 @@
 namespace walkcycle {
 namespace {
 
+// Whether the target stores colours without a conversion to sRGB.
 bool mustEncode(const RenderTarget& target) {
     const GLenum attachment = target.framebuffer == 0 ? GL_BACK_LEFT : GL_COLOR_ATTACHMENT0;
     GLint encoding = GL_LINEAR;

@@ -6,19 +6,23 @@
 
 namespace walkcycle {
 
-// Sets all OpenGL state that drawing relies on and that other code may have changed. Returns whether shaders
-// must convert light to sRGB: our own framebuffers do that themselves, a window's may not.
+// Binds the target, and sets all OpenGL state that drawing relies on and that other code may have changed. Returns
+// `encodesItself`: true if the target stores colours as the shader gives them, so that shaders must convert light to
+// sRGB. A Framebuffer converts by itself; the framebuffer of a window may not.
 bool startDrawingTo(const RenderTarget& target);
 
+// Whether a slot of the material has a texture (whether its picture was found or not).
 bool hasTexture(const Material& material, Slot slot);
+
+// Whether a part with this material is drawn with blending: its opacity is below 1, or a texture gives its opacity.
 bool showsThrough(const Material& material);
 
-// Whether the shader converts light to sRGB. Blending needs linear light, so with blending the target must
-// convert. Without blending the shader does, because it runs once per fragment and the target converts once
-// per sample.
+// Whether the shader that draws a model converts light to sRGB. It must if `encodesItself`. If the model has no
+// transparent part, it does for any target, because the shader runs once per fragment while a target converts once per
+// sample. Blending needs linear light, so if there is a transparent part, the target converts.
 bool shaderEncodes(bool encodesItself, const ShaderNeeds& needs);
 
-// Off for solid parts, on for transparent parts.
+// Sets blending, and whether depths are written: off for solid parts, on for transparent parts, which write no depths.
 void setBlending(bool on);
 
 // The material of parts that have none.

@@ -1,5 +1,6 @@
 # Puts the GLSL files of shaders/ into the library as strings, so that the program runs from any directory.
-# Run as a script (cmake -DINPUTS=... -DOUTPUT=... -P) it writes the C++ file; included it adds the step to a target.
+# This file is used twice: included, it defines the function below, which adds a build step to a target; run by that step
+# as a script (cmake -DINPUTS=... -DOUTPUT=... -P), it writes the C++ file.
 
 function(walkcycle_embed_shaders target)
     file(GLOB shaders CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/shaders/*.glsl")

@@ -10,15 +10,15 @@
 namespace walkcycle {
 namespace {
 
-constexpr float kNoCone = -2.0f;
+constexpr float kNoCone = -2.0f;  // below every cosine: the light shines in all directions
 
 glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise) {
     const float length = glm::length(vector);
     return length > 0.0f && std::isfinite(length) ? vector / length : otherwise;
 }
 
-// The cosine of half the cone's angle. A cone of 180 degrees lights everything in front of the spot; a larger
-// one, more.
+// The cosine of half the cone's angle (<falloff_angle>). A cone of 180 degrees lights everything in front of the
+// spot, a cone of 360 degrees everything.
 float coneCosine(const SceneLight& light) {
     return std::cos(glm::radians(std::clamp(light.falloffAngle, 0.0f, 360.0f)) * 0.5f);
 }

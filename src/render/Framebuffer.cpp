@@ -21,14 +21,14 @@ int maxSamples() {
     return std::min(forColor, forDepth);
 }
 
-// Very large pictures get fewer samples, so that they do not use up all memory.
+// The number of samples with which a picture takes at most 1 GiB: 4 bytes of colour and 4 of depth per sample.
 int affordable(int samples, int width, int height) {
-    constexpr std::int64_t most = std::int64_t{1} << 30, bytesPerSample = 8;
-    while (samples > 1 && bytesPerSample * samples * width * height > most) samples /= 2;
+    constexpr std::int64_t mostBytes = std::int64_t{1} << 30, bytesPerSample = 8;
+    while (samples > 1 && bytesPerSample * samples * width * height > mostBytes) samples /= 2;
     return samples;
 }
 
-// Drawn and blended colours are premultiplied with their alpha, in linear light; files want them straight.
+// The drawn colours are multiplied by their alpha, in linear light. In an Image they are not (straight alpha).
 void unpremultiply(Bytes& rgba) {
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
         const std::uint8_t alpha = rgba[i + 3];
@@ -54,11 +54,11 @@ void flipRows(Bytes& rgba, std::size_t rowBytes) {
 
 Framebuffer::Framebuffer(int width, int height, int samples) {
     if (width < 1 || height < 1 || width > maxFramebufferSize() || height > maxFramebufferSize()) {
-        throw std::runtime_error("a picture here is at least 1 and at most " +
-                                 std::to_string(maxFramebufferSize()) + " pixels wide and high");
+        throw std::runtime_error("the width and the height of a picture are at least 1 and at most " +
+                                 std::to_string(maxFramebufferSize()) + " pixels on this device");
     }
     while (glGetError() != GL_NO_ERROR) {
-        // errors of earlier calls; PictureState looks for its own
+        // forget errors of earlier calls; PictureState checks its own calls
     }
     const int allowed = std::clamp(samples, 1, std::max(maxSamples(), 1));
     state_ = std::make_unique<PictureState>(width, height, affordable(allowed, width, height));
@@ -85,7 +85,7 @@ float Framebuffer::aspect() const {
 }
 
 RenderTarget Framebuffer::target() const {
-    state_->drawn = ScreenArea::whole();  // whoever has the target may draw anywhere
+    state_->drawn = ScreenArea::whole();  // the caller may draw anywhere
     return {state_->framebuffer.id(), state_->width, state_->height, state_.get()};
 }
 

@@ -21,13 +21,14 @@ public:
     ~GlObject() {
         if (id_) Delete(id_);
     }
-    GLuint id() const { return id_; }
+    GLuint id() const { return id_; }  // 0 if it owns nothing
 
 private:
     GLuint id_ = 0;
 };
 
-// The driver's own delete functions are pointers that epoxy finds at run time, so these stand in for them.
+// The delete functions for GlObject's template argument. OpenGL's own cannot be used: libepoxy defines them as pointers
+// that are set at run time.
 namespace gl {
 inline void deleteBuffer(GLuint id) {
     glDeleteBuffers(1, &id);

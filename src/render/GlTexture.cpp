@@ -60,7 +60,7 @@ bool usesMipMaps(GLint minFilter) {
     return minFilter != GL_NEAREST && minFilter != GL_LINEAR;
 }
 
-// The border colour reaches the shader as it is, whereas texels are converted to linear light on the way.
+// OpenGL converts the texels of a Color picture to linear light, but not the border colour. So it is converted here.
 glm::vec4 borderColor(const Texture& texture, TexelKind kind) {
     if (texture.wrapS == Wrap::None || texture.wrapT == Wrap::None) return glm::vec4(0.0f);
     const glm::vec4& border = texture.borderColor;

@@ -47,8 +47,8 @@ void InstanceStates::prepareInstance(const AnimatedModel& model, std::size_t i) 
     if (resource.morphCount > 0) addMorphs(model, i);
 }
 
-// A rigid mesh counts as a skin with one joint, its node. Vertices deformed on the CPU are in model space
-// already.
+// A mesh without a skin has a palette of one matrix: its node's model transform; or the identity if its vertices were
+// deformed on the CPU, because these are in model space already.
 void InstanceStates::addPalette(const AnimatedModel& model, std::size_t i) {
     const ModelResource::Instance& resource = model.resource()->instances()[i];
     const auto& transforms = model.animator().modelTransforms();
@@ -73,7 +73,7 @@ void InstanceStates::deformOnCpu(const AnimatedModel& model, std::size_t i) {
     buffers.normals.store(std::span<const glm::vec3>(normals_), GL_STREAM_DRAW);
 }
 
-// Only the targets with a coefficient at this moment; most have 0.
+// Adds only the targets whose coefficient is not 0 at this moment: most are 0.
 void InstanceStates::addMorphs(const AnimatedModel& model, std::size_t i) {
     const ModelResource::Instance& resource = model.resource()->instances()[i];
     const auto morphs = std::span(model.model().instances[i].deformers).first(resource.morphCount);
@@ -97,7 +97,7 @@ const DeformUniforms::Values& InstanceStates::bind(const AnimatedModel& model, s
         resource.morphBuffers->positionDeltas.bind(TextureUnit::kPositionDeltas);
         resource.morphBuffers->normalDeltas.bind(TextureUnit::kNormalDeltas);
     }
-    // Values for inputs that a vertex array does not have: all weight on joint 0, the colour white.
+    // Values of the vertex shader's inputs that have no buffer: all weight is on joint 0, the colour is white.
     glVertexAttribI4ui(VertexInput::kJointIndices, 0, 0, 0, 0);
     glVertexAttrib4f(VertexInput::kWeights, 1.0f, 0.0f, 0.0f, 0.0f);
     glVertexAttribI4ui(VertexInput::kMoreInfluences, 0, 0, 0, 0);

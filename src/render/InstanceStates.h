@@ -22,22 +22,24 @@ namespace walkcycle {
 class InstanceStates {
 public:
     struct State {
-        bool visible = true;
+        bool visible = true;  // if false, the rest is not computed
         JointPalette::Range palette;
         DeformUniforms::Values deform;
     };
 
+    // Computes the states of all instances for the model's present pose, and uploads them.
     void prepare(const AnimatedModel& model);
     const std::vector<State>& states() const { return states_; }
 
     // Binds the textures that the shader reads for an instance, and returns the values of its uniforms.
     const DeformUniforms::Values& bind(const AnimatedModel& model, std::size_t instance) const;
 
-    // The part of a picture that the instances can cover; the whole picture if that takes too long to find
-    // out.
+    // The part of the picture that the instances can cover; the whole picture if an instance has no boxes (see
+    // ModelResource::Instance).
     ScreenArea area(const AnimatedModel& model, const Camera& camera, const RenderTarget& target) const;
 
-    // The present place of one of the instance's positions, in model space; for sorting.
+    // One of the instance's positions (an index into MeshData::positions), moved to model space by the instance's
+    // skin or node, but not by its morphs. For sorting parts by their distance.
     glm::vec3 position(const AnimatedModel& model, std::size_t instance, std::uint32_t position) const;
 
 private:

@@ -9,35 +9,37 @@
 
 namespace walkcycle {
 
-// The palettes of all instances in a picture, one after the other, for shaders to read: three rows per joint,
-// since the fourth is always 0 0 0 1. A palette is computed in the memory that is uploaded. There is no limit on
-// joints: if a palette does not fit into the driver's texture buffer any more, it starts another page, and meshes
-// whose palette is larger than a page are left to CpuSkinning.
+// The palettes of all instances in a picture, one after the other, in texture buffers (pages) that the shader reads:
+// three rows per joint, since the fourth is always 0 0 0 1. A palette is written into the memory that is uploaded.
+// There is no limit on joints: if a palette does not fit into the rest of a page, it starts the next page.
+// ModelResource leaves a mesh whose palette is larger than a page to CpuSkinning.
 class JointPalette {
 public:
-    // A palette's place among all of them.
+    // The location of a palette.
     struct Range {
         std::size_t page = 0, firstJoint = 0, jointCount = 0;
     };
 
+    // `maxTexels`: the size of a page, three texels per joint.
     explicit JointPalette(std::size_t maxTexels = BufferTexture::maxTexels());
 
-    std::size_t maxJoints() const { return maxJoints_; }  // the most of one palette
     std::size_t pageCount() const { return pagesInUse_; }
 
-    void clear();  // keeps its memory
+    void clear();  // forgets all palettes, but keeps the memory
+
+    // Reserves a palette of so many joints, at most a page.
     Range add(std::size_t joints);
 
-    // Where a palette is written to and read from; until the next add().
+    // The matrices of a palette, to write and to read. Valid until the next add().
     std::span<JointRows> joints(const Range& range);
     std::span<const JointRows> joints(const Range& range) const;
 
-    void upload();
+    void upload();  // copies all palettes to the GPU
     void bind(std::size_t page, int unit) const;
 
 private:
     struct Page {
-        std::vector<JointRows> joints;  // as many as there ever were: only the first `used` count
+        std::vector<JointRows> joints;  // only the first `used` are of this picture
         std::size_t used = 0;
         BufferTexture texture{GL_RGBA32F};
     };

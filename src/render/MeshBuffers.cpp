@@ -16,20 +16,20 @@
 namespace walkcycle {
 namespace {
 
-constexpr std::uint32_t kFastInfluences = 4;
+constexpr std::uint32_t kInputInfluences = 4;  // those that are vertex inputs
 
 template <typename T>
 std::span<const T> view(const std::vector<T>& data) {
     return data;
 }
 
-// Stores optional data only if there is an entry per vertex, because drivers may read an entry for every
-// vertex.
+// Stores optional data only if there is one entry per vertex, because the driver reads an entry for every vertex.
 template <typename T>
 void storeIfWhole(Vbo& vbo, const std::vector<T>& data, std::size_t vertices) {
     if (data.size() == vertices) vbo.store(view(data));
 }
 
+// The position of each vertex.
 std::vector<glm::vec3> expanded(const MeshData& mesh) {
     std::vector<glm::vec3> positions(mesh.vertexCount());
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = mesh.positions[mesh.vertexPositions[v]];
@@ -68,7 +68,7 @@ MeshBuffers::MeshBuffers(const MeshData& mesh) {
         texCoordSets.emplace_back();
         storeIfWhole(texCoordSets.back(), set.coords, vertices);
     }
-    glBindVertexArray(0);  // binding indices changes the vertex array that is bound
+    glBindVertexArray(0);  // otherwise storing the indices would change the bound vertex array
     indices.store(view(mesh.indices));
 }
 
@@ -93,7 +93,7 @@ InfluenceBuffers::InfluenceBuffers(const Influences& influences, const MeshData&
     std::vector<std::array<std::uint32_t, 2>> beyond;
     for (std::size_t p = 0; p < ofPosition.size(); ++p) {
         ofPosition[p].first = static_cast<std::uint32_t>(beyond.size());
-        for (std::uint32_t i = influences.first[p] + kFastInfluences; i < influences.first[p + 1]; ++i) {
+        for (std::uint32_t i = influences.first[p] + kInputInfluences; i < influences.first[p + 1]; ++i) {
             const Influence& influence = influences.influences[i];
             beyond.push_back({influence.joint, std::bit_cast<std::uint32_t>(influence.weight)});
         }
@@ -102,7 +102,7 @@ InfluenceBuffers::InfluenceBuffers(const Influences& influences, const MeshData&
     std::uint32_t most = 1;
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
         const std::uint32_t p = mesh.vertexPositions[v], first = influences.first[p];
-        const std::uint32_t here = std::min(influences.first[p + 1] - first, kFastInfluences);
+        const std::uint32_t here = std::min(influences.first[p + 1] - first, kInputInfluences);
         most = std::max(most, here);
         for (std::uint32_t i = 0; i < here; ++i) {
             jointIds[v][i] = influences.influences[first + i].joint;
@@ -129,7 +129,7 @@ std::size_t influencesBeyondFour(const Influences& influences) {
     std::size_t count = 0;
     for (std::size_t p = 0; p + 1 < influences.first.size(); ++p) {
         const std::uint32_t all = influences.first[p + 1] - influences.first[p];
-        if (all > kFastInfluences) count += all - kFastInfluences;
+        if (all > kInputInfluences) count += all - kInputInfluences;
     }
     return count;
 }

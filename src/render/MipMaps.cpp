@@ -15,8 +15,8 @@ namespace {
 constexpr std::uint32_t kFullLight = 16383;
 
 struct Tables {
-    std::array<std::uint16_t, 256> light;               // of a byte
-    std::array<std::uint8_t, 4 * kFullLight + 1> byte;  // of four times the light
+    std::array<std::uint16_t, 256> light;               // byte -> light, 0 to kFullLight
+    std::array<std::uint8_t, 4 * kFullLight + 1> byte;  // sum of four lights -> nearest byte of their mean
 
     explicit Tables(TexelKind kind) {
         for (std::size_t i = 0; i < 256; ++i) {
@@ -52,6 +52,7 @@ Span covered(std::size_t i, std::size_t large, std::size_t small) {
     return {i * large / small, ((i + 1) * large + small - 1) / small};
 }
 
+// Writes the mean of a block of texels to `out`, weighted by alpha; unweighted if all are transparent.
 void average(const Image& image, Span rows, Span columns, const Tables& t, std::uint8_t* out) {
     std::uint64_t weights = 0, light[3] = {0, 0, 0}, plain[3] = {0, 0, 0};
     for (std::size_t y = rows.first; y < rows.last; ++y) {
@@ -71,7 +72,8 @@ void average(const Image& image, Span rows, Span columns, const Tables& t, std::
     out[3] = static_cast<std::uint8_t>((weights + count / 2) / count);
 }
 
-// The common case of even sizes. Where four texels have the same alpha, their weights cancel out.
+// A row of a picture whose width and height are even, the common case. If four texels have the same alpha, it needs no
+// weights.
 void averageRow(const Image& image, std::size_t y, const Tables& t, std::uint8_t* out) {
     const auto stride = static_cast<std::size_t>(image.width) * 4;
     const std::uint8_t *upper = &image.rgba[2 * y * stride], *lower = upper + stride;

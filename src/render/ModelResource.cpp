@@ -52,12 +52,14 @@ std::array<int, kSlotCount> neededSets(const Model& model, const PartMaterial& p
     return sets;
 }
 
+// The number of morphs before the skin, or of all if there is no skin.
 std::size_t leadingMorphs(const MeshInstance& instance) {
     const auto isSkin = [](const Deformer& deformer) { return deformer.kind == Deformer::Kind::Skin; };
     const auto skin = std::find_if(instance.deformers.begin(), instance.deformers.end(), isSkin);
     return static_cast<std::size_t>(skin - instance.deformers.begin());
 }
 
+// Whether the vertex shader can deform the instance on this device; otherwise CpuSkinning does.
 bool fitsTheShader(const Model& model, const MeshInstance& instance, std::size_t maxTexels) {
     if (!shaderCanDeform(model, instance) || morphTexels(model, instance) > maxTexels) return false;
     for (const Deformer& deformer : instance.deformers) {
@@ -68,7 +70,7 @@ bool fitsTheShader(const Model& model, const MeshInstance& instance, std::size_t
     return true;
 }
 
-// The position nearest to the middle of the box around a part.
+// The position of the part that is nearest to the middle of its box.
 std::uint32_t middlePosition(const MeshData& mesh, const MeshPart& part) {
     Bounds box;
     const auto position = [&](std::uint32_t i) {
@@ -86,12 +88,14 @@ std::uint32_t middlePosition(const MeshData& mesh, const MeshPart& part) {
     return nearest;
 }
 
+// boxesOfMatrices() of an instance that the shader deforms without morphs.
 std::vector<Bounds> boxes(const Model& model, const MeshData& mesh, const ModelResource::Instance& resource) {
     if (resource.skin < 0) return boxesOfMatrices(mesh, nullptr, 1);
     return boxesOfMatrices(mesh, &model.influences[index(resource.influences)],
                            model.skins[index(resource.skin)].joints.size());
 }
 
+// Whether the material is transparent, or an animation may make it so.
 bool mayBeTransparent(const Model& model, int material) {
     if (material < 0) return false;
     if (model.materials[index(material)].transparent) return true;
@@ -179,7 +183,8 @@ ModelResource::Part ModelResource::part(const Model& model, const MeshInstance& 
 
 std::size_t ModelResource::vaoFor(const Model& model, const MeshInstance& instance,
                                   const PartMaterial& material, const Instance& resource) {
-    // An instance deformed on the CPU has buffers of its own, so its key contains its number.
+    // Instances with equal keys share a vertex array. An instance deformed on the CPU has buffers of its own, so its
+    // key contains its number.
     VaoKey key{instance.mesh, resource.influences, resource.morphBuffers ? 1 : 0,
                resource.deformedOnCpu ? static_cast<int>(instances_.size()) : -1};
     std::copy(material.texCoordSets.begin(), material.texCoordSets.end(), key.begin() + 4);

@@ -17,16 +17,16 @@
 
 namespace walkcycle {
 
-// What a model needs of its shaders, summed over all its materials and meshes, so that one shader draws all
-// of it. Features that nothing needs are not compiled.
+// The features that a shader must have to draw a model: the union over all its materials and meshes, so that one shader
+// draws the whole model. Other features are not compiled.
 struct ShaderNeeds {
-    std::uint32_t texturedSlots = 0;  // a bit per Slot
+    std::uint32_t texturedSlots = 0;  // a bit per Slot that has a picture
     bool separateCoords = false;      // slots of one part use different texture coordinates
-    bool bumped = false;
+    bool bumped = false;              // a bump map
     bool vertexColors = false;
-    bool seeThrough = false;
+    bool seeThrough = false;  // a part is transparent, or can become so
     bool morphs = false;
-    bool moreInfluences = false;  // more than four a vertex
+    bool moreInfluences = false;  // a vertex has more than four
 
     auto operator<=>(const ShaderNeeds&) const = default;
 };
@@ -35,41 +35,43 @@ struct ShaderNeeds {
 // was current when it was made.
 class ModelResource {
 public:
-    // What one OpenGL call draws: a part of an instance, its material, and the vertex array that feeds it.
+    // A part of an instance, which one OpenGL call draws.
     struct Part {
         Primitive primitive = Primitive::Triangles;
         std::uint32_t firstIndex = 0, indexCount = 0;
-        int material = -1;         // index into Model::materials
-        std::size_t vao = 0;       // index into vaos()
-        std::uint32_t middle = 0;  // the position nearest to the part's middle, for sorting parts by distance
+        int material = -1;    // index into Model::materials
+        std::size_t vao = 0;  // the argument of vao()
+        std::uint32_t middle =
+            0;  // index of the position nearest to the part's middle, for sorting by distance
     };
 
+    // The same index as in Model::instances.
     struct Instance {
         bool deformedOnCpu = false;
-        int skin = -1;  // index into Model::skins; -1: rigid, or deformed on the CPU
-        int influences = -1;
+        int skin = -1;        // index into Model::skins; -1: no skin, or deformed on the CPU
+        int influences = -1;  // index into Model::influences, for the skin
         const InfluenceBuffers* influenceBuffers = nullptr;
         const MorphBuffers* morphBuffers = nullptr;
-        std::size_t morphCount = 0;  // leading morphs, which the shader applies
-        std::unique_ptr<DeformedBuffers> deformed;
+        std::size_t morphCount = 0;                 // leading morphs, which the shader applies
+        std::unique_ptr<DeformedBuffers> deformed;  // set if deformedOnCpu
         std::vector<Part> parts;
-        std::vector<Bounds> boxes;  // boxesOfMatrices(); empty if they do not enclose the mesh
+        std::vector<Bounds> boxes;  // boxesOfMatrices(); empty if they do not enclose the deformed mesh
     };
 
-    // `maxTexels`: the largest texture buffer.
+    // `maxTexels`: the size of the largest texture buffer. Instances that need a larger one are deformed on the CPU.
     explicit ModelResource(const Model& model, std::size_t maxTexels = BufferTexture::maxTexels());
 
     const std::vector<Instance>& instances() const { return instances_; }
     const Vao& vao(std::size_t i) const { return vaos_[i]; }
 
-    // The picture of Model::textures[index], in the form that the slot needs. Null if there is none.
+    // The picture of Model::textures[index], as colours or (for the bump slot) as data. Null if there is none.
     const GlTexture* texture(int index, Slot slot) const;
-    const GlTexture& white() const { return white_; }
+    const GlTexture& white() const { return white_; }  // for slots without a picture
 
     const ShaderNeeds& needs() const { return needs_; }
 
 private:
-    using VaoKey = std::array<int, 4 + kSlotCount>;
+    using VaoKey = std::array<int, 4 + kSlotCount>;  // of all buffers that feed a vertex array
 
     void addTextures(const Model& model);
     void addTexture(const Model& model, int index, Slot slot);

@@ -75,8 +75,8 @@ void Resolver::resolve(const GlObject<gl::deleteTexture>& samplesTexture, int sa
     glEnable(GL_FRAMEBUFFER_SRGB);
     for (const GLenum state : std::initializer_list<GLenum>{GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_CULL_FACE})
         glDisable(state);
-    // This blending changes no pixel, but makes software OpenGL compile the shader once. Without blending it
-    // compiles a second version, for blocks of pixels that lie completely inside a triangle.
+    // This blending changes no pixel. Without it, software OpenGL compiles the shader twice: once more for blocks of
+    // pixels that lie completely inside a triangle.
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ZERO);
     glActiveTexture(GL_TEXTURE0);

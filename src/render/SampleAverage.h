@@ -8,8 +8,8 @@
 
 namespace walkcycle {
 
-// More samples per pixel than the device has: the mean of several pictures of one moment, each taken by a
-// camera that is shifted by a fraction of a pixel.
+// Gives a picture more samples per pixel than the device has: computes the mean of several pictures (passes) of one
+// moment, each with the camera shifted by another fraction of a pixel.
 //
 //     SampleAverage average(4);
 //     for (int pass = 0; pass < 4; ++pass) {
@@ -21,12 +21,12 @@ class SampleAverage {
 public:
     explicit SampleAverage(int passes) : passes_(passes) {}
 
-    // The shift of pass p in pixels, to the right and up. If the device has four samples per pixel, the
-    // samples of all passes together are evenly spaced in both directions.
+    // The shift of a pass for Camera::shifted(): in pixels, to the right and up. If the device has four samples per
+    // pixel, the samples of all passes together are evenly spaced in both directions.
     glm::vec2 offset(int pass) const;
 
-    void add(const Image& picture);  // straight alpha; all pictures have the same size
-    Image image() const;
+    void add(const Image& picture);  // with straight alpha; all pictures have the same size
+    Image image() const;             // the mean, with straight alpha
 
 private:
     int passes_;

@@ -44,9 +44,9 @@ void ScreenArea::add(const Bounds& box, const glm::mat4& toClip) {
             *this = whole();
             return;
         }
-        const glm::vec2 place = glm::clamp(glm::vec2(clip) / clip.w, -2.0f, 2.0f);
-        min_ = glm::min(min_, place);
-        max_ = glm::max(max_, place);
+        const glm::vec2 onPicture = glm::clamp(glm::vec2(clip) / clip.w, -2.0f, 2.0f);
+        min_ = glm::min(min_, onPicture);
+        max_ = glm::max(max_, onPicture);
     }
 }
 

@@ -15,8 +15,8 @@
 
 namespace walkcycle {
 
-// A linked vertex and fragment shader. Sources are names of files in src/render/shaders; a stage is their
-// texts one after the other, after `#version 330 core` and the given #defines.
+// A linked vertex and fragment shader. The source of a stage is `#version 330 core`, then the given #defines, then the
+// text of one or more files of src/render/shaders, which are named without ".glsl".
 class ShaderProgram {
 public:
     struct Stages {

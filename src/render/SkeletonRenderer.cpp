@@ -14,6 +14,7 @@ namespace {
 constexpr glm::vec4 kFace{0.85f, 0.45f, 0.05f, 1.0f};  // linear light
 constexpr glm::vec4 kEdge{0.10f, 0.04f, 0.00f, 1.0f};
 
+// Two unit vectors at right angles to a direction and to each other.
 struct Frame {
     glm::vec3 across, other;
 };
@@ -63,18 +64,18 @@ void SkeletonRenderer::addShape(const glm::vec3& from, const glm::vec3& to, floa
 void SkeletonRenderer::render(const AnimatedModel& model, const Camera& camera, bool encodesItself) {
     const std::vector<bool> shown = shownJoints(model.model());
     const auto& transforms = model.animator().modelTransforms();
-    const float unit = model.bounds().diagonal();
+    const float size = model.bounds().diagonal();
     triangles_.clear();
     edges_.clear();
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (!shown[i]) continue;
         const glm::vec3 here(transforms[i][3]);
         const int parent = model.model().skeleton.joints[i].parent;
-        const glm::vec3 small(0.0f, unit * 0.008f, 0.0f);
-        addShape(here - small, here + small, unit * 0.006f);
+        const glm::vec3 small(0.0f, size * 0.008f, 0.0f);
+        addShape(here - small, here + small, size * 0.006f);
         if (parent == kNoParent || !shown[static_cast<std::size_t>(parent)]) continue;
         const glm::vec3 there(transforms[static_cast<std::size_t>(parent)][3]);
-        addShape(there, here, std::min(glm::length(here - there) * 0.08f, unit * 0.02f));
+        addShape(there, here, std::min(glm::length(here - there) * 0.08f, size * 0.02f));
     }
     program_.start();
     setUniform(viewProjection_, camera.viewProjection());

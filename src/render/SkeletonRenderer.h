@@ -11,7 +11,8 @@
 
 namespace walkcycle {
 
-// Draws the joints that move a skin, as slim double pyramids from parent to child, on top of everything.
+// Draws the joints that shownJoints() selects, on top of everything: an octahedron at each joint, and a slim one from
+// each parent to its child.
 class SkeletonRenderer {
 public:
     SkeletonRenderer();

@@ -10,9 +10,10 @@ namespace {
 constexpr int kSteps = 4096;
 
 struct Tables {
-    std::array<float, 256> linear;                // of each byte
-    std::array<float, 256> limit;                 // the light at which byte + 1 becomes nearer than byte
-    std::array<std::uint8_t, kSteps + 1> byteAt;  // of the light step / kSteps, to start the search from
+    std::array<float, 256> linear;  // byte -> light
+    std::array<float, 256> limit;   // byte -> the light from which on byte + 1 is nearer
+    std::array<std::uint8_t, kSteps + 1>
+        byteAt;  // step -> the byte of the light step / kSteps: a search begins there
 
     Tables() {
         for (std::size_t i = 0; i < 256; ++i) {

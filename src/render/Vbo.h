@@ -7,10 +7,10 @@
 
 namespace walkcycle {
 
-// A buffer on the GPU: vertices, indices, or what a texture buffer reads.
+// A buffer on the GPU: vertices, indices, or the data of a BufferTexture.
 class Vbo {
 public:
-    // `target` is what store() and bind() bind it to: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER,
+    // `target` is the OpenGL target of store() and bind(): GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER or
     // GL_TEXTURE_BUFFER.
     explicit Vbo(GLenum target = GL_ARRAY_BUFFER);
 

@@ -10,8 +10,8 @@
 
 namespace walkcycle {
 
-// Reads back the vertices that the vertex shader computes for an instance, through transform feedback and
-// without drawing. The shader is the one that draws. Tests compare its result with CpuSkinning's.
+// Reads back the vertices that animatedModelVertex.glsl computes for an instance, through transform feedback and
+// without drawing. For tests, which compare them with those of CpuSkinning.
 class VertexCapture {
 public:
     struct Vertices {

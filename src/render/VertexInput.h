@@ -6,7 +6,7 @@
 
 namespace walkcycle {
 
-// The vertex shader's inputs, by their locations in animatedModelVertex.glsl.
+// The locations of the vertex shader's inputs, as in animatedModelVertex.glsl.
 namespace VertexInput {
 inline constexpr GLuint kPosition = 0;
 inline constexpr GLuint kNormal = 1;
@@ -16,10 +16,11 @@ inline constexpr GLuint kMoreInfluences = 4;
 inline constexpr GLuint kPositionIndex = 5;
 inline constexpr GLuint kColor = 6;
 inline constexpr GLuint kTangent = 7;
-inline constexpr GLuint kTextureCoords = 8;  // and up, one per slot if slots use different sets
+inline constexpr GLuint kTextureCoords =
+    8;  // if slots use different sets: the first of one location per slot
 }  // namespace VertexInput
 
-// The texture units of the shader's samplers. A slot's picture uses the unit of the slot's number.
+// The texture units of the shader's samplers. The units below kSlotCount are for the pictures: unit s for slot s.
 namespace TextureUnit {
 inline constexpr int kPalette = kSlotCount;
 inline constexpr int kMoreInfluences = kPalette + 1;

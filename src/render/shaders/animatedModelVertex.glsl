@@ -1,6 +1,7 @@
-// The sum of all influences, as in the second episode of the series, for any number of joints and influences:
+// Deforms a vertex: morphs first, then the sum of all influences, as in the second episode of the series, for any
+// number of joints and influences:
 //     position = sum of weight[i] * palette[joint[i]] * position
-// A rigid mesh has a palette of one matrix. VertexInput.h has the same locations.
+// A mesh without a skin has a palette of one matrix. VertexInput.h has the same locations.
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in uvec4 in_jointIndices;     // the first four influences
@@ -24,17 +25,17 @@ layout(location = 8) in vec2 in_textureCoords;
 #endif
 
 uniform samplerBuffer palette;         // three rows per joint
-uniform usamplerBuffer moreInfluences;  // joint, and the weight's bits
-uniform samplerBuffer morphs;          // target, coefficient
-uniform samplerBuffer positionDeltas;  // target after target, one per position
-uniform samplerBuffer normalDeltas;    // target after target, one per vertex
+uniform usamplerBuffer moreInfluences;  // joint, and the weight as the bits of a float
+uniform samplerBuffer morphs;          // the targets that are not at rest: number of the target, coefficient
+uniform samplerBuffer positionDeltas;  // target after target, one delta per position
+uniform samplerBuffer normalDeltas;    // target after target, one delta per vertex
 
-uniform int firstJoint;      // index of this instance's first joint in palette
-uniform int jointsPerWalker; // in a crowd: joints from one walker's palette to the next
+uniform int firstJoint;      // index of this instance's first matrix in palette
+uniform int jointsPerWalker; // in a crowd: matrices from one walker's palette to the next; else 0
 uniform int influenceCount;  // the most influences of a vertex, up to four
-uniform ivec2 morphRange;
-uniform int positionCount;
-uniform int vertexCount;
+uniform ivec2 morphRange;    // [first, end) in morphs
+uniform int positionCount;   // of the mesh, for positionDeltas
+uniform int vertexCount;     // of the mesh, for normalDeltas
 uniform mat4 viewProjection;
 
 out vec3 modelPosition;
@@ -51,8 +52,8 @@ out vec2 textureCoords[7];
 out vec2 textureCoords;
 #endif
 
-// The matrix's three rows are the columns of a mat3x4, so that `vector * rows` here is `matrix * vector` in
-// the formula.
+// The three rows of the matrix are the columns of a mat3x4 here, so `vector * rows` is `matrix * vector` of the
+// formula.
 mat3x4 jointTransform(uint joint) {
     int texel = (firstJoint + gl_InstanceID * jointsPerWalker + int(joint)) * 3;
     return mat3x4(texelFetch(palette, texel), texelFetch(palette, texel + 1), texelFetch(palette, texel + 2));
@@ -70,8 +71,8 @@ mat3x4 sumOfInfluences() {
     return sum;
 }
 
-// Normals are transformed by the inverse transpose. It is made of cross products, which also work if there is
-// no inverse.
+// Normals are transformed by the inverse transpose, up to a factor: the matrix of cofactors, times the sign of the
+// determinant. The cofactors exist even if there is no inverse.
 vec3 transformNormal(mat3x4 rows, vec3 normal) {
     mat3 cofactors = mat3(cross(rows[1].xyz, rows[2].xyz), cross(rows[2].xyz, rows[0].xyz),
                           cross(rows[0].xyz, rows[1].xyz));

@@ -1,27 +1,28 @@
-// A soft gradient or one colour, and a grid on the ground (the plane y = 0): thin lines at every step,
-// stronger ones at every tenth, which fade out towards the edge and where they would be too dense. Values
-// that never change are constants here, because each number of a uniform costs software OpenGL a millisecond
-// of compiling.
+// The background: a gradient or one colour, and a grid on the ground (the plane y = 0) with thin lines at every step
+// and stronger lines at every tenth. Lines fade out with the distance from the grid's centre, and far away, before
+// they lie too close together. Values that never change are constants: software OpenGL takes a millisecond longer to
+// compile a shader for each number of a uniform.
 const vec3 TOP = vec3(0.60, 0.63, 0.67), BOTTOM = vec3(0.80, 0.80, 0.79), LINE = vec3(0.35, 0.35, 0.36);  // sRGB
 const float LINE_STRENGTH = 0.55;
 
 // Converts sRGB to what the target stores: linear light, or sRGB if the target does not convert.
 #ifdef ENCODES_ITSELF
-vec3 taken(vec3 color) { return color; }
+vec3 stored(vec3 color) { return color; }
 #else
-vec3 taken(vec3 color) { return pow((color + 0.055) / 1.055, vec3(2.4)); }  // no linear segment: no colour here is nearly black
+// Without the linear part of sRGB, which is for nearly black colours only.
+vec3 stored(vec3 color) { return pow((color + 0.055) / 1.055, vec3(2.4)); }
 #endif
 
 #ifdef ONE_COLOR
 uniform vec3 color;
-vec3 behindAll() { return color; }
+vec3 plainBackground() { return color; }
 #else
 uniform float pictureHeight;
-vec3 behindAll() { return mix(taken(BOTTOM), taken(TOP), gl_FragCoord.y / pictureHeight); }
+vec3 plainBackground() { return mix(stored(BOTTOM), stored(TOP), gl_FragCoord.y / pictureHeight); }
 #endif
 
 #ifdef GRID
-in vec4 ground;       // xy / z: where this pixel's line of sight meets it, in grid steps; it does if z and w are positive
+in vec4 ground;       // xy / z: the point of the ground at this pixel, in grid steps; visible if z and w are positive
 uniform vec3 fading;  // xy: the grid's centre; z: the radius at which it has faded out
 
 float lines(vec2 cells, vec2 width) {
@@ -42,8 +43,8 @@ float grid() {
 
 vec3 backdrop() {
 #ifdef GRID
-    return mix(behindAll(), taken(LINE), LINE_STRENGTH * grid());
+    return mix(plainBackground(), stored(LINE), LINE_STRENGTH * grid());
 #else
-    return behindAll();
+    return plainBackground();
 #endif
 }

@@ -1,6 +1,6 @@
-// One triangle that covers the picture.
+// One triangle that is larger than the picture and covers it. There are no vertex inputs.
 #ifdef GRID
-uniform mat3x4 groundAt;
+uniform mat3x4 groundAt;  // Backdrop::Grid::groundAt
 out vec4 ground;
 #endif
 

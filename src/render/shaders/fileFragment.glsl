@@ -1,12 +1,12 @@
 // The document's own materials and lights, by the formulas of COLLADA 1.4.1, chapter 8 ("<constant>",
-// "<lambert>", "<phong>", "<blinn>"). Terms are added in the file's own numbers, not in linear light, as the
-// programs of the format's time did; so a colour that a file asks for is the colour on the screen.
+// "<lambert>", "<phong>", "<blinn>"). The terms are added as numbers of the file, not as linear light: programs of the
+// format's time did so, and a colour of the file is the same colour on the screen.
 uniform int shadingModel;  // 0 constant, 1 lambert, 2 phong, 3 blinn
 uniform float shininess;
 uniform float reflectivity;
 uniform vec3 ambientLight;
 uniform int lightCount;
-uniform samplerBuffer lights;  // four texels each, as FileLights.h says
+uniform samplerBuffer lights;  // four texels per light, which FileLights.h describes
 
 vec3 slotValue(int slot) { return slotColors[slot].rgb; }
 
@@ -71,15 +71,15 @@ void main() {
     vec3 surface = shadingModel > 0 ? diffuse() : vec3(0.0);
     vec3 shine = shadingModel > 1 ? specular() : vec3(0.0);
     for (int i = 0; i < lightCount; ++i) {
-        vec4 place = texelFetch(lights, 4 * i);         // xyz, w = 0: the direction towards the light
-        vec4 axis = texelFetch(lights, 4 * i + 1);      // where a spot points, cosine of half its angle
+        vec4 position = texelFetch(lights, 4 * i);      // w = 1: position; w = 0: direction towards the light
+        vec4 axis = texelFetch(lights, 4 * i + 1);      // direction, cosine of half the cone's angle (-2: no spot)
         vec4 intensity = texelFetch(lights, 4 * i + 2); // colour, falloff exponent
-        vec4 fading = texelFetch(lights, 4 * i + 3);    // constant, linear, quadratic
-        vec3 towardsLight = place.xyz - modelPosition * place.w;
+        vec4 fading = texelFetch(lights, 4 * i + 3);    // constant, linear and quadratic attenuation
+        vec3 towardsLight = position.xyz - modelPosition * position.w;
         float distance = length(towardsLight);
         towardsLight = distance > 0.0 ? towardsLight / distance : normal;
         float amount = 1.0;
-        if (place.w > 0.5) {
+        if (position.w > 0.5) {
             float divisor = fading.x + distance * (fading.y + distance * fading.z);
             amount = divisor > 0.0 ? 1.0 / divisor : 1.0;
             float along = dot(-towardsLight, axis.xyz);

@@ -1,5 +1,4 @@
-// A single colour, for the edges of wireframes and the joints of skeletons. It is linear light,
-// premultiplied.
+// One colour, for the edges of wireframes and the joints of skeletons. flatColor is linear light, premultiplied.
 uniform vec4 flatColor;
 uniform bool encodesItself;
 out vec4 out_color;

@@ -1,3 +1,4 @@
+// Positions in model space, for the skeleton.
 layout(location = 0) in vec3 in_position;
 uniform mat4 viewProjection;
 

@@ -1,5 +1,6 @@
-// A photographer's light, the same for every model: a warm key from the upper left of the camera, a cool fill from
-// the right, light from the sky above and back from the ground. A white sheet that faces the key stays just white.
+// The light of a photographer's studio, the same for every model: a warm key light from the upper left of the camera, a
+// cool fill light from the right, a rim light from behind, light from the sky and light that the ground reflects. Their
+// sum is chosen so that a white surface that faces the key light is just white, not brighter.
 uniform vec3 keyDirection;   // towards each light, in model space
 uniform vec3 fillDirection;
 uniform vec3 rimDirection;
@@ -10,7 +11,7 @@ const vec3 RIM = vec3(0.18, 0.19, 0.20);
 const vec3 SKY = vec3(0.20, 0.21, 0.23);
 const vec3 GROUND = vec3(0.11, 0.10, 0.09);
 
-// Light that reaches a little beyond the edge, as from a large lamp.
+// The light of a large lamp, which reaches a little beyond the edge between the lit and the dark side.
 float soft(vec3 normal, vec3 light) { return max((dot(normal, light) + 0.25) / 1.25, 0.0); }
 
 vec3 baseColor() {

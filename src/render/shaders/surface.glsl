@@ -1,5 +1,5 @@
-// What both kinds of light need: the fragment's material, its normal, and functions that output a colour.
-// TEXTURED has a bit for each slot of the material that has a picture somewhere in the model.
+// The first part of both fragment shaders: the fragment's material, its normal, and functions that output a colour.
+// TEXTURED has a bit per slot: 1 if a material of the model has a picture there.
 in vec3 modelPosition;
 in vec3 modelNormal;
 #ifdef VERTEX_COLORS
@@ -25,9 +25,9 @@ uniform sampler2D slotTextures[7];
 
 uniform vec4 eye;  // the camera's position, w = 1, or the direction towards it, w = 0
 #ifdef SEE_THROUGH
-uniform int opaqueMode;  // -1: solid; else A_ONE, RGB_ZERO, A_ZERO, RGB_ONE
+uniform int opaqueMode;  // -1: solid; else 0 to 3: A_ONE, RGB_ZERO, A_ZERO, RGB_ONE
 uniform float transparency;
-uniform ivec2 pass;      // x: 0 all, 1 only what is solid, 2 only what is not; y: 0 all, -1 backs, 1 fronts
+uniform ivec2 pass;      // x: 0 all, 1 only opaque, 2 only transparent fragments; y: 0 all, -1 back, 1 front faces
 #endif
 
 out vec4 out_color;
@@ -41,7 +41,7 @@ vec3 decoded(vec3 c) {
     return mix(c / 12.92, pow((max(c, vec3(0.0)) + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
-// A slot's picture in the file's own numbers. Textures return linear light, which is converted back here.
+// The texel of a slot's picture with the numbers of the file. OpenGL returns linear light, which is converted back.
 #define PICTURE(slot) fileColor(texture(slotTextures[slot], COORDS(slot)))
 vec4 fileColor(vec4 light) { return vec4(encoded(light.rgb), light.a); }
 
@@ -54,7 +54,7 @@ vec4 transparentColor() {
 #endif
 }
 
-// COLLADA 1.4.1, "Determining transparency (opacity)"; opacity() in src/model/Material.cpp.
+// COLLADA 1.4.1, "Determining transparency (opacity)". opacity() in src/model/Material.cpp is the same.
 float opacity() {
     if (opaqueMode < 0) return 1.0;
     vec4 color = transparentColor();
@@ -68,8 +68,8 @@ float opacity() { return 1.0; }
 
 vec3 towardsEye() { return normalize(eye.w > 0.5 ? eye.xyz - modelPosition : eye.xyz); }
 
-// 1 if the triangle's normals point to the camera's side, -1 if the camera sees its back. Computed from the
-// triangle itself, so that it is right for mirrored models and for triangles of either winding.
+// 1 if the triangle's normals point to the camera's side, -1 if the camera sees its back. It is computed from the
+// triangle in model space, so it is right for mirrored models and for both orders of corners.
 float seenSide(vec3 normal, vec3 view) {
     vec3 face = cross(dFdx(modelPosition), dFdy(modelPosition));
     float facing = dot(face, normal) * dot(face, view);
@@ -112,7 +112,8 @@ void keepForPass(float alpha, float side) {
 #endif
 }
 
-// Output colours are premultiplied by alpha, and are linear light, or sRGB if the target does not convert.
+// Output a colour that is linear light (giveLight) or has the numbers of a file (giveEncoded). The output is
+// premultiplied by alpha, and is linear light, or sRGB if the target does not convert.
 #ifdef ENCODES_ITSELF
 void giveLight(vec3 light, float alpha) { out_color = vec4(encoded(light) * alpha, alpha); }
 void giveEncoded(vec3 color, float alpha) { out_color = vec4(clamp(color, 0.0, 1.0) * alpha, alpha); }
