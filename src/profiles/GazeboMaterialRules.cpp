@@ -3,8 +3,8 @@
 
 #include "profiles/Rules.h"
 
-// Rules from LoadMaterial, LoadColorOrTexture and LoadTransparent of Gazebo's loader, which GazeboRules.cpp
-// names.
+// Rules from the functions LoadMaterial, LoadColorOrTexture and LoadTransparent of Gazebo's loader. GazeboRules.cpp has
+// its address.
 namespace walkcycle {
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "profiles/Rules.h"
 
-// Rules from LoadAnimations and LoadAnimationSet of Gazebo's loader, which GazeboRules.cpp names.
+// Rules from the functions LoadAnimations and LoadAnimationSet of Gazebo's loader. GazeboRules.cpp has its address.
 namespace walkcycle {
 namespace {
 
@@ -15,8 +15,8 @@ bool showsSkin(const Subject& subject) {
                        [](const ShownMesh& shown) { return static_cast<bool>(shown.skin()); });
 }
 
-// Gazebo reads one level of the first library: if its first <animation> holds others, all <animation>s of the
-// second level, otherwise those of the first.
+// The channels that Gazebo reads: those of one level of the first <library_animations>. If the first <animation> has
+// children of its kind, it is the second level, otherwise the first.
 std::vector<XmlNode> channelsRead(XmlNode library) {
     std::vector<XmlNode> channels;
     const auto addChannelsOf = [&](XmlNode parent) {
@@ -31,8 +31,7 @@ std::vector<XmlNode> channelsRead(XmlNode library) {
     return channels;
 }
 
-// Gazebo moves <matrix> and <rotate>. It drops the sids of other transform elements, so that no channel finds
-// them.
+// Gazebo animates <matrix> and <rotate>. It drops the sids of other transform elements, so that no channel finds them.
 void checkTarget(const Subject& subject, XmlNode channel) {
     const ChannelTarget target = subject.targetOf(channel);
     if (target.root.is("node") && isOneOf(target.element, {"translate", "scale", "lookat", "skew"}))
@@ -40,10 +39,11 @@ void checkTarget(const Subject& subject, XmlNode channel) {
                        {std::string(target.element.name()), nameOf(target.root)});
 }
 
-// Where only one of a node's channels has a key, Gazebo resets what its other channels move to the rest pose.
+// At a key time that only some channels of a node have, Gazebo resets the values of its other channels to the rest
+// pose.
 void checkKeyTimes(const Subject& subject, const std::vector<XmlNode>& channels) {
-    std::unordered_map<XmlNode, XmlNode>
-        firstTimes;  // <node> -> the <source> of its first channel's key times
+    // <node> -> the <source> of its first channel's key times
+    std::unordered_map<XmlNode, XmlNode> firstTimes;
     for (const XmlNode channel : channels) {
         const XmlNode node = subject.targetOf(channel).root;
         const XmlNode times = subject.sourceOf(subject.follow(channel, "source"), "INPUT");

@@ -15,15 +15,16 @@
 
 #include "profiles/Rules.h"
 
-// What Gazebo's COLLADA loader skips or misreads. The loader is gz-common's; gazebo-classic has an older
-// version of it: https://github.com/gazebosim/gz-common/blob/main/graphics/src/ColladaLoader.cc
+// Rules for the elements that Gazebo's COLLADA loader skips or misreads. The loader belongs to gz-common:
+// https://github.com/gazebosim/gz-common/blob/main/graphics/src/ColladaLoader.cc (gazebo-classic has an older version).
+// The headings below name its functions.
 namespace walkcycle {
 namespace {
 
 // ---- geometry (LoadGeometry, LoadTriangles, LoadPolylist)
 
-// Gazebo cuts a polygon into a fan from its first corner. Returns whether a triangle of that fan faces the
-// other way than the polygon.
+// Gazebo cuts a polygon into a fan of triangles from its first corner. Returns whether a triangle of that fan faces the
+// other way than the polygon, as happens if the polygon is concave.
 bool fanHasFlippedTriangle(const std::vector<double>& positions, std::size_t width,
                            const std::vector<std::int32_t>& corners) {
     std::vector<glm::dvec3> points;
@@ -58,8 +59,8 @@ void checkConcave(const Subject& subject, XmlNode polylist) {
     if (concave > 0) subject.report(Code::GazeboConcave, polylist, {std::to_string(concave)});
 }
 
-// Gazebo counts an index per <input> (of TEXCOORD, per offset), so inputs that share an offset or skip one
-// shift all indices.
+// Gazebo expects one index per <input> of a corner (for TEXCOORD, one per offset). If inputs share an offset or leave
+// one out, it reads all later indices at wrong places.
 void checkOffsets(const Subject& subject, XmlNode primitive) {
     std::set<int> texCoords;
     int counted = 0;
@@ -79,16 +80,16 @@ void checkOffsets(const Subject& subject, XmlNode primitive) {
 void checkSource(const Subject& subject, XmlNode source, int least, std::unordered_set<XmlNode>& seen) {
     const XmlNode accessor = accessorOf(source);
     if (!accessor || !seen.insert(source).second) return;
-    const auto say = [&](const char* what) {
-        subject.report(Code::GazeboSource, accessor, {nameOf(source), what});
+    const auto report = [&](const char* fault) {
+        subject.report(Code::GazeboSource, accessor, {nameOf(source), fault});
     };
-    if (!accessor.has("stride")) return say("its accessor has no stride");
-    if (strideOf(source) < least) return say("its entries have too few numbers");
-    if (!source.child("float_array").has("count")) return say("its float_array has no count");
-    if (integerAttribute(accessor, "offset", 0) != 0) return say("the accessor's offset is not read");
+    if (!accessor.has("stride")) return report("its accessor has no stride");
+    if (strideOf(source) < least) return report("its entries have too few numbers");
+    if (!source.child("float_array").has("count")) return report("its float_array has no count");
+    if (integerAttribute(accessor, "offset", 0) != 0) return report("the accessor's offset is not read");
     const XmlNode first = accessor.child("param");
     if (first && first.attribute("name").empty() && accessor.child("param").nextSibling("param").has("name"))
-        say("the first <param> has no name, but is not skipped");
+        report("the first <param> has no name, but is not skipped");
 }
 
 void checkPrimitive(const Subject& subject, XmlNode primitive, std::unordered_set<XmlNode>& seen) {
@@ -114,26 +115,27 @@ void checkGeometry(const Subject& subject, XmlNode geometry, std::unordered_set<
 
 // Per node: its rank in the order in which Gazebo visits the nodes, each after its descendants.
 std::vector<std::size_t> visitRanks(const Skeleton& skeleton) {
-    std::vector<std::vector<std::size_t>> children(skeleton.joints.size() + 1);  // the last entry: the roots
+    // The last entry has the roots.
+    std::vector<std::vector<std::size_t>> children(skeleton.joints.size() + 1);
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
         const int parent = skeleton.joints[i].parent;
         children[parent == kNoParent ? skeleton.joints.size() : static_cast<std::size_t>(parent)].push_back(
             i);
     }
-    std::vector<std::size_t> before,
-        open = {skeleton.joints.size()};  // that order reversed: parents first, last children first
+    // Gazebo's order from its end: parents before children, the last child first.
+    std::vector<std::size_t> reversed, open = {skeleton.joints.size()};
     while (!open.empty()) {
-        before.push_back(open.back());
+        reversed.push_back(open.back());
         open.pop_back();
-        open.insert(open.end(), children[before.back()].begin(), children[before.back()].end());
+        open.insert(open.end(), children[reversed.back()].begin(), children[reversed.back()].end());
     }
-    std::vector<std::size_t> rank(before.size());
-    for (std::size_t i = 0; i < before.size(); ++i) rank[before[i]] = before.size() - i;
+    std::vector<std::size_t> rank(reversed.size());
+    for (std::size_t i = 0; i < reversed.size(); ++i) rank[reversed[i]] = reversed.size() - i;
     return rank;
 }
 
-// Gazebo applies the transform of a geometry's first instance to its positions (LoadPositions), and then
-// shows them for every other instance, too.
+// Gazebo applies the node transform of a geometry's first instance to the geometry's positions (LoadPositions), and
+// then uses these positions for all other instances, too.
 void checkInstances(const Subject& subject) {
     const std::vector<std::size_t> rank = visitRanks(subject.scene().skeleton);
     std::vector<ShownMesh> shown = subject.shown();
@@ -154,7 +156,8 @@ void checkInstances(const Subject& subject) {
 
 // ---- nodes (LoadNode, LoadNodeTransform)
 
-// A node's transform as Gazebo reads it.
+// A node's transform as Gazebo reads it: the first <matrix> if there is one, otherwise the first <translate>, all
+// <rotate>s and the first <scale>, in this order.
 glm::dmat4 asGazeboReads(const TransformStack& stack) {
     using Kind = TransformElement::Kind;
     glm::dmat4 translation(1.0), rotation(1.0), scale(1.0);
@@ -169,7 +172,8 @@ glm::dmat4 asGazeboReads(const TransformStack& stack) {
     return translation * rotation * scale;
 }
 
-// Checks the nodes of meshes and joints, and their ancestors. Gazebo does not read cameras and lights.
+// Checks the nodes of meshes and joints, and their ancestors. Other nodes do not matter, because Gazebo does not read
+// cameras and lights.
 void checkTransforms(const Subject& subject) {
     std::set<int> checked;
     const auto add = [&](int node) {
@@ -248,7 +252,8 @@ void reportAmbiguous(const Subject& subject, XmlNode from, std::string_view refe
                    {std::string(reference), std::string(taken.name()), std::to_string(taken.line())});
 }
 
-// The image that a sampler of an effect leads to. `find` resolves each sid on the way.
+// The id or text of the image that a <newparam> leads to, through <sampler2D> and <surface>. `find` resolves each sid
+// on the way.
 template <typename Find>
 std::string imageBehind(XmlNode parameter, Find find) {
     if (parameter.is("image")) return std::string(parameter.id());
@@ -259,8 +264,8 @@ std::string imageBehind(XmlNode parameter, Find find) {
 // A <texture> names a <newparam> of its own effect by sid. Gazebo may find a <newparam> of an earlier effect
 // that has the same sid.
 void checkSamplers(const Subject& subject, const GazeboLookup& first) {
-    std::unordered_map<XmlNode, std::unordered_map<std::string, XmlNode>>
-        parameters;  // of each <profile_COMMON>, by sid
+    // <profile_COMMON> -> its <newparam>s by sid
+    std::unordered_map<XmlNode, std::unordered_map<std::string, XmlNode>> parameters;
     for (const XmlNode parameter : subject.all("newparam"))
         parameters[parameter.parent()].try_emplace(std::string(parameter.sid()), parameter);
     for (const XmlNode texture : subject.all("texture")) {

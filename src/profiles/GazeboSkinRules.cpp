@@ -4,11 +4,11 @@
 
 #include "profiles/Rules.h"
 
-// Rules from LoadController of Gazebo's loader, which GazeboRules.cpp names.
+// Rules from the function LoadController of Gazebo's loader. GazeboRules.cpp has its address.
 namespace walkcycle {
 namespace {
 
-// The names that LoadSingleSkeletonNode gives to nodes: the sid, else the name, else the id.
+// The names that Gazebo's LoadSingleSkeletonNode gives to nodes: the sid, else the name, else the id.
 std::unordered_set<std::string> jointNames(const Subject& subject) {
     std::unordered_set<std::string> names;
     for (const XmlNode node : subject.all("node")) {

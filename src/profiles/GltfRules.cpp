@@ -8,12 +8,12 @@
 
 #include "profiles/Rules.h"
 
-// What a glTF 2.0 file cannot hold, and what viewers of it may ignore:
+// Rules for the contents that a glTF 2.0 file cannot hold, or that its viewers may ignore. The numbers are sections of
 // https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 namespace walkcycle {
 namespace {
 
-constexpr std::size_t kJointsPerVertex = 4;    // 3.7.3.3: more need JOINTS_1, which viewers may ignore
+constexpr std::size_t kJointsPerVertex = 4;    // 3.7.3.3: more joints need JOINTS_1, which viewers may ignore
 constexpr std::size_t kTexCoordSets = 2;       // 3.7.2.1
 constexpr std::size_t kMorphedAttributes = 8;  // 3.7.2.2
 
@@ -64,8 +64,8 @@ void checkNodes(const Subject& subject) {
 void checkLight(const Subject& subject, XmlNode light) {
     const XmlNode common = light.child("technique_common");
     if (common.child("ambient")) return subject.report(Code::GltfAmbientLight, light, {nameOf(light)});
-    const bool shines = common.child("point") || common.child("spot") || common.child("directional");
-    if (shines) subject.report(Code::GltfLight, light, {nameOf(light)});
+    const bool isLamp = common.child("point") || common.child("spot") || common.child("directional");
+    if (isLamp) subject.report(Code::GltfLight, light, {nameOf(light)});
 }
 
 void checkCamera(const Subject& subject, XmlNode camera) {

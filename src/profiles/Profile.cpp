@@ -11,7 +11,7 @@ namespace {
 
 struct Row {
     Profile profile;
-    std::string_view name;  // on the command line
+    std::string_view name;  // for profileNamed() and `check --profile`
     void (*check)(const Subject&);
 };
 

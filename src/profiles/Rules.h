@@ -4,14 +4,14 @@
 
 namespace walkcycle {
 
-// The rules of each profile. The catalogue (DiagnosticCodes.inc, 10xx) and docs/checking.md say where each
-// rule comes from.
+// Each function checks a document against all rules of one profile, and reports the faults. The catalogue
+// (DiagnosticCodes.inc, 10xx) and docs/checking.md name the source of each rule.
 void checkGltf(const Subject& subject);
 void checkGazebo(const Subject& subject);
 void checkSecondLife(const Subject& subject);
 void checkThinMatrix(const Subject& subject);
 
-// Parts of checkGazebo() and checkThinMatrix() that have files of their own.
+// Parts of checkGazebo() and checkThinMatrix(), each in a file of its own.
 void checkGazeboSkins(const Subject& subject);
 void checkGazeboMotion(const Subject& subject);
 void checkGazeboMaterials(const Subject& subject);

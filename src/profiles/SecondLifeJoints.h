@@ -4,8 +4,9 @@
 
 namespace walkcycle {
 
-// Whether the viewer's uploader knows a joint of that name: the bones, their aliases, collision volumes and attachment
-// points of indra/newview/character/avatar_skeleton.xml and avatar_lad.xml in github.com/secondlife/viewer.
+// Whether the uploader of Second Life's viewer knows a joint of that name: a bone, an alias of one, a collision
+// volume or an attachment point (these are Second Life's words) of indra/newview/character/avatar_skeleton.xml and
+// avatar_lad.xml in github.com/secondlife/viewer.
 bool isSecondLifeJoint(std::string_view name);
 
 }  // namespace walkcycle

@@ -13,8 +13,8 @@
 #include "profiles/Rules.h"
 #include "profiles/SecondLifeJoints.h"
 
-// What the uploader of Second Life's viewer skips or rejects:
-// https://github.com/secondlife/viewer (indra/llprimitive/lldaeloader.cpp and llmodelloader.cpp)
+// Rules for the contents that the uploader of Second Life's viewer skips or rejects. The headings below name its
+// functions: https://github.com/secondlife/viewer (indra/llprimitive/lldaeloader.cpp and llmodelloader.cpp)
 namespace walkcycle {
 namespace {
 
@@ -44,11 +44,11 @@ std::vector<std::int32_t> firstEqual(const Subject& subject, XmlNode source) {
     return first;
 }
 
-using EqualEntries =
-    std::unordered_map<XmlNode, std::vector<std::int32_t>>;  // firstEqual() of each source, computed once
+// <source> -> its firstEqual(), computed once.
+using EqualEntries = std::unordered_map<XmlNode, std::vector<std::int32_t>>;
 
-// The vertices that the uploader makes of a primitive: its corners that differ in position, normal or texture
-// coordinates. Returns 0 if there are too few corners to reach the limit.
+// The number of vertices that the uploader makes of a primitive: of corners that differ in position, normal or texture
+// coordinates. Returns 0, without comparing, if there are too few corners to reach the limit.
 std::size_t differentCorners(const Subject& subject, XmlNode primitive, EqualEntries& known) {
     std::vector<std::int32_t> indices;
     for (const XmlNode p : primitive.children("p")) {
@@ -57,8 +57,8 @@ std::size_t differentCorners(const Subject& subject, XmlNode primitive, EqualEnt
     }
     const auto stride = static_cast<std::size_t>(indicesPerCorner(primitive));
     if (indices.size() / stride < kMostCorners) return 0;
-    std::vector<std::pair<std::size_t, const std::vector<std::int32_t>*>>
-        inputs;  // offset, and firstEqual() of its source
+    // The offset of each <input>, and firstEqual() of its source.
+    std::vector<std::pair<std::size_t, const std::vector<std::int32_t>*>> inputs;
     for (const XmlNode input : primitive.children("input")) {
         const XmlNode target = subject.follow(input, "source");
         const XmlNode source = target.is("vertices") ? subject.sourceOf(target, "POSITION") : target;
@@ -188,7 +188,8 @@ void checkTransformsOf(const Subject& subject, XmlNode node) {
     }
 }
 
-// Per node: whether the <matrix>es of the node and of its ancestors together mirror a mesh.
+// Per node: whether the <matrix>es of the node and of its ancestors mirror the meshes below it, that is, whether an odd
+// number of them mirrors.
 std::vector<bool> mirroredNodes(const Subject& subject) {
     std::vector<bool> mirrored;
     for (std::size_t i = 0; i < subject.scene().nodes.size(); ++i) {

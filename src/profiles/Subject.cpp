@@ -68,7 +68,7 @@ XmlNode Subject::follow(XmlNode from, const char* attribute) const {
     const std::string uri = *attribute ? std::string(from.attribute(attribute)) : from.text();
     const std::size_t hash = uri.find('#');
     if (hash == std::string::npos) return from.elementById(uri);
-    // References to other documents are not followed: none of the profiles' programs reads them.
+    // References to other documents are not followed, because no program of the profiles reads them.
     return hash == 0 ? inspection_.context.documents.resolve(from, uri) : XmlNode();
 }
 
@@ -124,8 +124,9 @@ XmlNode inputOf(XmlNode parent, std::string_view semantic) {
 }
 
 int offsetOf(XmlNode input) {
-    constexpr int kFarOut = 1 << 20;  // keeps sums of offsets from overflowing; no list is that wide
-    return std::clamp(integerAttribute(input, "offset", 0), 0, kFarOut);
+    constexpr int kLargestOffset =
+        1 << 20;  // sums of offsets do not overflow, and no primitive has so many inputs
+    return std::clamp(integerAttribute(input, "offset", 0), 0, kLargestOffset);
 }
 
 int indicesPerCorner(XmlNode primitive) {

@@ -11,7 +11,8 @@
 
 #include "profiles/Rules.h"
 
-// Rules from the series' SkeletonLoader, AnimationLoader and Animator, which ThinMatrixRules.cpp names.
+// Rules from the classes SkeletonLoader, AnimationLoader and Animator of the series. ThinMatrixRules.cpp has the
+// address of its code.
 namespace walkcycle {
 namespace {
 
@@ -21,7 +22,7 @@ constexpr std::size_t kMostJoints = 50;  // AnimatedModelShader.MAX_JOINTS
 // that one; parents first.
 struct Joints {
     std::vector<XmlNode> nodes;
-    std::vector<glm::dmat4> rest;  // from the joint to the armature, as the <matrix>es have it
+    std::vector<glm::dmat4> rest;  // joint space -> space of the armature, by the <matrix>es
 };
 
 Joints jointsBelow(XmlNode armature) {
@@ -47,9 +48,9 @@ XmlNode findArmature(const Subject& subject) {
 }
 
 void checkArmature(const Subject& subject, XmlNode armature) {
-    const auto place = std::find(subject.scene().nodes.begin(), subject.scene().nodes.end(), armature);
-    if (place != subject.scene().nodes.end() &&
-        !isIdentity(subject.world(static_cast<int>(place - subject.scene().nodes.begin()))))
+    const auto found = std::find(subject.scene().nodes.begin(), subject.scene().nodes.end(), armature);
+    if (found != subject.scene().nodes.end() &&
+        !isIdentity(subject.world(static_cast<int>(found - subject.scene().nodes.begin()))))
         subject.report(Code::TmArmatureTransform, armature, {});
     const XmlNode root = armature.child("node");
     for (XmlNode other = root.nextSibling("node"); other; other = other.nextSibling("node"))
@@ -80,7 +81,9 @@ void checkRestPose(const Subject& subject, XmlNode skin, const Joints& joints,
     const std::vector<double> inverseBinds = numbersOf(source.child("float_array"));
     std::unordered_map<std::string_view, std::size_t> index;
     for (std::size_t i = 0; i < names.size(); ++i) index.emplace(names[i], i);
-    std::optional<glm::dmat4> common;  // where the armature was when the mesh was bound
+    // rest * inverse bind: mesh space -> space of the armature. If the mesh was bound in the rest pose, it is the same
+    // for all joints.
+    std::optional<glm::dmat4> common;
     for (std::size_t i = 0; i < joints.nodes.size(); ++i) {
         const auto joint = index.find(joints.nodes[i].id());
         if (joint == index.end() || (joint->second + 1) * 16 > inverseBinds.size()) continue;

@@ -8,7 +8,7 @@
 
 #include "profiles/Rules.h"
 
-// What the parser of ThinMatrix's series on skeletal animation needs, read from its code:
+// Rules of the parser of ThinMatrix's series on skeletal animation, from its code. The headings below name its classes:
 // https://github.com/TheThinMatrix/OpenGL-Animation (ColladaParser)
 namespace walkcycle {
 namespace {
@@ -17,8 +17,8 @@ constexpr std::size_t kJointsPerVertex = 3;  // GeneralSettings.MAX_WEIGHTS
 
 // ---- the text (XmlParser, which reads line by line)
 
-// XmlParser skips the first line, and takes each line after it as one tag, with its text and its end tag if
-// it has no children.
+// XmlParser skips the first line, and takes each later line as one tag; an element without children has its text and
+// its end tag in the same line.
 void checkLayout(const Subject& subject) {
     std::size_t faults = 0;
     XmlNode firstFault;
@@ -36,8 +36,8 @@ void checkLayout(const Subject& subject) {
     if (faults > 0) subject.report(Code::TmLayout, firstFault, {std::to_string(faults)}, line);
 }
 
-// Java's String.split(" ") gives an empty word for a leading space and for two spaces in a row, and an empty
-// word is no number.
+// The series splits lists with Java's String.split(" "), which gives an empty word for a leading space and for two
+// spaces in a row. An empty word is not a number, so parsing it fails.
 bool splitsBadly(std::string_view text) {
     const std::size_t end = text.find_last_not_of(' ');
     if (end == std::string_view::npos) return false;
