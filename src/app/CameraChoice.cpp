@@ -26,7 +26,8 @@ std::optional<CameraPreset> presetNamed(const std::string& name) {
     return std::nullopt;
 }
 
-// The camera with this name. Ids and names of the nodes that hold cameras come before the cameras' own.
+// The camera with this name; null if there is none. First the ids and names of the nodes that hold the cameras are
+// compared, then the cameras' own.
 const CameraInstance* instanceNamed(const Model& model, const std::string& name) {
     const auto joint = [&](const CameraInstance& i) -> const Joint& {
         return model.skeleton.joints[static_cast<std::size_t>(i.node)];
@@ -73,8 +74,9 @@ void CameraChoice::declare(Arguments& arguments) {
         arguments.option(option, "X,Y,Z", help,
                          [&target, option](const std::string& text) { target = parseVector(text, option); });
     };
-    vector("--camera-position", "Where the camera stands, in metres, Y up", position_);
-    vector("--camera-focal-point", "The point that it looks at (the middle of the model)", focalPoint_);
+    vector("--camera-position", "The position of the camera, in metres, Y up", position_);
+    vector("--camera-focal-point", "The point that the camera looks at (the middle of the model)",
+           focalPoint_);
     vector("--camera-view-up", "The direction that is up in the picture (0,1,0)", up_);
     arguments.option(
         "--camera-view-angle", "DEG", "The vertical field of view (30)", [this](const std::string& text) {

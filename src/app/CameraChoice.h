@@ -9,7 +9,7 @@
 
 namespace walkcycle {
 
-// The camera options of `render`: a camera of the file, a preset, or a position and what to look at.
+// The camera options of `render`. They name a camera of the file or a preset, or give a position and a focal point.
 class CameraChoice {
 public:
     void declare(Arguments& arguments);
@@ -17,7 +17,8 @@ public:
     // Throws UsageError if --camera names no camera; the message lists all cameras.
     void check(const Model& model) const;
 
-    // The camera for the model's present pose, moved around the model by `orbitRadians` (for turntables).
+    // The camera for the model's present pose. For turntables, a camera that is not one of the file is moved around
+    // the model by `orbitRadians`, about a vertical axis. `aspect` is the picture's width / height.
     Camera camera(const AnimatedModel& model, float aspect, float orbitRadians = 0.0f) const;
 
 private:

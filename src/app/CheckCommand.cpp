@@ -33,7 +33,7 @@ struct CheckOptions {
 void declare(CheckOptions& options, Arguments& arguments) {
     arguments.positionals("FILE", "Documents, or folders of documents; - is standard input", options.files);
     arguments.options("--profile", joined(profileNames(), "|"),
-                      "Also check what this program or format makes of it; may be repeated",
+                      "Also report what this program or format skips or misreads; may be repeated",
                       options.profiles);
     arguments.flag("--json", "Print JSON, with the glTF validator's field names", options.json);
     arguments.choiceOf<bool>("--fail-on", {{"error", false}, {"warning", true}},
@@ -55,7 +55,7 @@ bool isDocument(const fs::path& path) {
     return extension == ".dae" || extension == ".zae";
 }
 
-// The documents in a folder and in those below it, sorted by name. Throws UsageError if there are none.
+// The documents in a folder and in all folders below it, sorted by path. Throws UsageError if there are none.
 std::vector<std::string> documentsIn(const std::string& folder) {
     std::vector<std::string> files;
     std::error_code error;
@@ -70,11 +70,11 @@ std::vector<std::string> documentsIn(const std::string& folder) {
     return files;
 }
 
-// The files to check. If a folder cannot be read, the rest is checked all the same.
+// The files to check. A folder that cannot be read is reported and noted, and the others are checked.
 struct Work {
     std::vector<std::string> files;
-    bool several = false;  // the command line names more than one file, or a folder
-    bool unreadable = false;
+    bool several = false;     // the command line names more than one file, or a folder
+    bool unreadable = false;  // a folder could not be read
 };
 
 Work workOf(const std::vector<std::string>& names) {
@@ -121,7 +121,7 @@ std::vector<std::string> ignoredCodes(const std::vector<std::string>& names) {
     return codes;
 }
 
-// Reports a file that could not be read, for a reason that does not come from the loader.
+// Adds a diagnostic about a file that could not be read, if the loader gave none.
 void addFailure(CheckReport& report, const std::string& reason) {
     Diagnostic diagnostic;
     diagnostic.code = info(Code::FileUnreadable).id;
@@ -154,6 +154,7 @@ CheckReport check(const LoadArguments& load, const std::string& file) {
     return report;
 }
 
+// Removes the diagnostics that have one of these codes.
 void leaveOut(std::vector<Diagnostic>& diagnostics, const std::vector<std::string>& codes) {
     std::erase_if(diagnostics, [&](const Diagnostic& diagnostic) {
         return std::find(codes.begin(), codes.end(), diagnostic.code) != codes.end();

@@ -9,7 +9,7 @@
 
 namespace walkcycle {
 
-// What `check` found in one file.
+// The findings of `check` in one file.
 struct CheckReport {
     std::string file;
     std::vector<Diagnostic> diagnostics;
@@ -17,11 +17,13 @@ struct CheckReport {
     bool loaded = false;   // something of the file can be shown
     std::string version, authoringTool;
     std::vector<std::string> profiles;  // names of the profiles whose rules were checked
-    ModelFacts facts;
+    ModelFacts facts;                   // set if `loaded`
 };
 
-// One line each: "hero.dae: 1 error, 2 warnings, 0 notes", and the sum over several files.
+// One line about a file: "hero.dae: 1 error, 2 warnings, 0 notes".
 std::string summary(const CheckReport& report);
+
+// One line with the sums over several files.
 std::string total(const std::vector<CheckReport>& reports);
 
 // The reports as JSON, with the field names of the glTF validator so that its tools can read them: one

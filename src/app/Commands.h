@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// The verbs, in the order of the program's help. A new verb is a row here, and a file that defines its
-// function: for `view` that is viewCommand() in ViewCommand.cpp.
+// The verbs, in the order of the program's help. For a new verb, add a row here and a file with its function: `view`
+// has viewCommand() in ViewCommand.cpp.
 #define WALKCYCLE_VERBS(ROW) \
     ROW(view)                \
     ROW(render)              \
@@ -25,7 +25,7 @@ WALKCYCLE_VERBS(WALKCYCLE_DECLARE)
 // All verbs, each with its name.
 std::vector<Command> allCommands();
 
-// The versions of the program and of its libraries, and the OpenGL of this machine.
+// The text of --version: the versions of the program and of its libraries, and the OpenGL of this machine.
 std::string versionText();
 
 }  // namespace walkcycle

@@ -24,8 +24,8 @@ std::vector<glm::dmat4> worlds(const Skeleton& skeleton, std::span<const glm::dm
     return result;
 }
 
-// An instance while its deformers are applied. `points` are in the mesh's space, and in model space once a
-// skin or place() has moved them there.
+// An instance while its deformers are applied. `points` are in model space if `placed`, otherwise in mesh space. A
+// skin and place() move them to model space; unplace() moves them back, for a deformer after a skin.
 struct Deformation {
     const Model& model;
     const MeshInstance& instance;
@@ -50,8 +50,8 @@ struct Deformation {
     std::vector<glm::dmat4> palette(const Skin& skin) const;
 };
 
-// NORMALIZED is (1 - sum of w) * base + sum of w * target. The model stores target - base, for the base of
-// the file.
+// The NORMALIZED morph of COLLADA is (1 - sum of w) * base + sum of w * target. The model stores target - base, where
+// base is the file's mesh; `points` may already be deformed.
 void Deformation::morph(const MorphTargets& morph) {
     unplace();
     const std::vector<glm::vec3>& fileMesh = model.meshes[at(instance.mesh)].positions;

@@ -12,7 +12,7 @@
 namespace walkcycle {
 namespace {
 
-// Words in capitals stand for what a message takes from the file.
+// The page about one message. Words in capitals (NAME, COUNT) stand for the parts that a message takes from the file.
 std::string explanation(const CodeInfo& entry) {
     std::string text = std::string(entry.id) + " " + entry.name + " (" + nameOf(entry.severity) +
                        ")\n  says:  " + withWords(entry.text) + "\n  means: " + entry.cause +

@@ -7,13 +7,13 @@
 
 namespace walkcycle {
 
-// Notices when a file was written anew.
+// Notices that a file was written again, by its time and size.
 class FileWatch {
 public:
     explicit FileWatch(std::string path);
 
-    // True once after each change, as soon as the file has not changed for a moment: exporters write in many
-    // steps.
+    // Returns true once after each change, when the file has not changed for 0.4 s, because exporters write in many
+    // steps. Looks at the file at most five times a second. `nowInSeconds` is from any clock that only rises.
     bool changed(double nowInSeconds);
 
 private:

@@ -13,7 +13,7 @@ constexpr int kMostDigits = 20;
 }  // namespace
 
 FramePattern::FramePattern(const std::string& pattern) : before_(pattern) {
-    constexpr std::size_t kWordLength = 6;  // of "{frame"
+    constexpr std::size_t kWordLength = 6;  // the length of "{frame"
     const std::size_t start = pattern.find("{frame");
     if (start == std::string::npos) return;
     const std::size_t end = pattern.find('}', start);

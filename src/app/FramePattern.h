@@ -5,7 +5,7 @@
 
 namespace walkcycle {
 
-// The names of the pictures of one call: "walk_{frame:04}.png" gives walk_0000.png, walk_0001.png, ...
+// A pattern for the names of several pictures: "walk_{frame:04}.png" gives walk_0000.png, walk_0001.png, ...
 class FramePattern {
 public:
     // Throws UsageError if a {frame...} is not {frame} or {frame:digits}.

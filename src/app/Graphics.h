@@ -9,13 +9,13 @@
 
 namespace walkcycle {
 
-// An OpenGL context to draw pictures with: without a display (EGL) or through a hidden window (GLFW). "auto"
-// takes the first of the two that works. Throws NoGraphicsDevice.
+// An OpenGL context for `render`, which the constructor makes current: without a display ("egl") or through a hidden
+// window ("glfw"). "auto" tries egl, then glfw. Throws NoGraphicsDevice.
 class Graphics {
 public:
     explicit Graphics(const std::string& backend);  // "auto", "egl" or "glfw"
 
-    std::string description() const;
+    std::string description() const;  // the device and the driver, in one line
 
 private:
     std::optional<HeadlessContext> headless_;

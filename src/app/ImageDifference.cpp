@@ -26,7 +26,8 @@ std::vector<double> brightness(const Image& image) {
     return values;
 }
 
-// Wang et al. 2004, over windows of 8 x 8 pixels that lie 4 apart.
+// The constants of structural similarity (Wang, Bovik, Sheikh and Simoncelli, "Image Quality Assessment", 2004), over
+// windows of 8 x 8 pixels, one every 4 pixels.
 constexpr int kWindow = 8, kStep = 4;
 constexpr double kC1 = (0.01 * 255) * (0.01 * 255), kC2 = (0.03 * 255) * (0.03 * 255);
 

@@ -91,12 +91,12 @@ std::string sizeLine(const Model& model) {
 
 std::string quirkLine(const QuirkInfo& quirk, const Dialect& dialect) {
     return std::string(quirk.name) + ": " + (dialect.follows(quirk.quirk) ? "on, " : "off, ") +
-           dialect.why(quirk.quirk) + (dialect.isUsed(quirk.quirk) ? "; it is used here" : "");
+           dialect.why(quirk.quirk) + (dialect.isUsed(quirk.quirk) ? "; used in this file" : "");
 }
 
 void addDialect(const Dialect& dialect, Page& page) {
     const std::string exporter = exporterText(dialect.exporter());
-    page.add("dialect", exporter.empty() ? "of no exporter that is known" : exporter);
+    page.add("dialect", exporter.empty() ? "of an unknown exporter" : exporter);
     for (const QuirkInfo& quirk : kQuirks) page.add("quirks", quirkLine(quirk, dialect));
 }
 
@@ -117,7 +117,7 @@ std::string infoText(const Model& model, const Dialect* dialect) {
     page.add("unit", quoted(model.asset.unitName) + ", " + formatNumber(model.asset.metersPerUnit) + " m");
     page.add("scene", quoted(model.sceneId) + ": " + plural(model.skeleton.joints.size(), "node") + ", " +
                           plural(facts.joints, "joint") + ", " +
-                          plural(model.instances.size(), "drawn mesh") + "");
+                          plural(model.instances.size(), "drawn mesh"));
     page.add("size", sizeLine(model));
     for (const MeshFacts& mesh : facts.meshes) page.add("meshes", meshLine(mesh));
     for (std::size_t i = 0; i < facts.clips.size(); ++i) page.add("clips", clipLine(i, facts.clips[i]));

@@ -7,12 +7,12 @@
 
 namespace walkcycle {
 
-// What `info` prints about a file, for people and (as JSON) for programs. The text leaves the dialect out if it is
-// null.
+// The output of `info` about a file, as text for people and as JSON for programs. If `dialect` is null, the text does
+// not list the quirks.
 std::string infoText(const Model& model, const Dialect* dialect = nullptr);
 std::string infoJson(const Model& model, const Dialect& dialect);
 
-// "ColladaMaya 2.3", "Blender"; empty for an exporter that is not known.
+// The exporter's name and version: "ColladaMaya 2.3", "Blender". Empty if the exporter is unknown.
 std::string exporterText(const Exporter& exporter);
 
 }  // namespace walkcycle

@@ -13,11 +13,11 @@ std::string ownName(const Joint& joint) {
     return joint.sid.empty() ? "node" : joint.sid;
 }
 
-// Deeper joints get no path: nobody would read it, and all those paths together would be far larger than the
-// file.
+// Joints below this depth, or with a longer path, get their own name and a number instead: all their paths together
+// would be far larger than the file.
 constexpr std::size_t kDeepestPath = 128, kLongestPath = 1000;
 
-// The names from the root to the joint. Costs a step per level, but only joints whose name is taken need it.
+// The names from the root to the joint.
 std::string path(const Skeleton& skeleton, std::size_t joint) {
     std::vector<std::string> names;
     std::size_t length = 0;
@@ -36,7 +36,7 @@ std::string path(const Skeleton& skeleton, std::size_t joint) {
 
 std::vector<std::string> jointKeys(const Skeleton& skeleton) {
     std::vector<std::string> keys;
-    std::unordered_map<std::string, std::size_t> taken;  // key -> how many more joints have asked for it
+    std::unordered_map<std::string, std::size_t> taken;  // key -> how many later joints have the same
     keys.reserve(skeleton.joints.size());
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
         std::string key = ownName(skeleton.joints[i]);

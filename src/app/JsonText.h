@@ -11,13 +11,15 @@
 
 namespace walkcycle {
 
-// Writes JSON straight into a string, without building a tree of values first: a pose is megabytes of
-// numbers.
+// Writes JSON directly into a string. A JSON library would make a tree of values first, which costs too much for a pose
+// with megabytes of numbers.
 class JsonText {
 public:
+    // Appends the text as it is.
     void raw(std::string_view text) { text_ += text; }
 
-    // The name of a file may be any bytes. A text that is not UTF-8 is taken for Latin-1.
+    // Appends a string with its quotes. The name of a file may be any bytes: if they are not UTF-8, they count as
+    // Latin-1.
     void string(std::string_view value) {
         const bool valid = isUtf8(value);
         text_ += '"';
@@ -25,8 +27,7 @@ public:
         text_ += '"';
     }
 
-    // The shortest text that reads back as the same number. JSON has no infinity; no number here should be
-    // infinite, but if one is, 0 keeps the text valid.
+    // Appends the shortest text that reads back as the same number. JSON has no infinity and no NaN: 0 stands for them.
     template <typename Number>
     void number(Number value) {
         if (!std::isfinite(value)) return raw("0");

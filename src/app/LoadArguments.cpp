@@ -21,12 +21,12 @@ UpAxis parseAxis(const std::string& text) {
     throw UsageError("--up: '" + text + "' is not an axis: X, Y or Z");
 }
 
-// To be called for each option that was set, so that what is wrong is wrong with that one.
-void requireUsable(const LoadOptions& options, const std::string& what) {
+// Called after each option is set, so that a fault is a fault of that option. `option` begins the message.
+void requireUsable(const LoadOptions& options, const std::string& option) {
     try {
         requireValid(options);
     } catch (const InvalidOption& error) {
-        throw UsageError(what + " " + error.must);
+        throw UsageError(option + " " + error.must);
     }
 }
 
@@ -96,7 +96,7 @@ void LoadArguments::declare(Arguments& arguments) {
                          requireUsable(options, "--tolerance: '" + text + "'");
                      });
     arguments.flag("--strict", "End with exit code 1 if the file has errors or warnings", strict);
-    arguments.flag("--verbose,-v", "Print more: also notes, and what was found and chosen", verbose);
+    arguments.flag("--verbose,-v", "Also print notes, and the choices of the program", verbose);
     arguments.flag("--quiet,-q", "Print only what stops the program", quiet);
     declareLimits(arguments);
 }

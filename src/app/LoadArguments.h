@@ -25,7 +25,7 @@ struct LoadArguments {
     // --strict, StrictFailure.
     Model load(const std::string& file) const;
 
-    // The same without printing anything.
+    // The same without printing diagnostics, and without StrictFailure. The progress is shown on a terminal.
     Model loadSilently(const std::string& file) const;
 
 private:
@@ -33,7 +33,7 @@ private:
     void declareLimits(Arguments& arguments);
 };
 
-// With --strict, the file has errors or warnings. They have been printed.
+// Thrown with --strict if the file has errors or warnings. They have been printed.
 struct StrictFailure {};
 
 }  // namespace walkcycle

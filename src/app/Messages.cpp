@@ -56,7 +56,7 @@ std::string highlighted(const Diagnostic& diagnostic) {
 
 }  // namespace
 
-// Prints one line, even if the message of a driver or library has line breaks.
+// Messages of drivers and libraries may have line breaks, which become spaces.
 void printError(const std::string& text) {
     std::string message = text.substr(0, text.find_last_not_of("\n\r ") + 1);
     std::replace_if(

@@ -8,7 +8,7 @@
 
 namespace walkcycle {
 
-// Counts and sizes of a model, for `info` and `check --json`.
+// Counts and sizes of a model and its parts, for `info` and `check --json`.
 struct MeshFacts {
     std::string name;
     std::size_t positions = 0, vertices = 0, triangles = 0, lines = 0;

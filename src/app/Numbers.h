@@ -11,8 +11,8 @@
 
 namespace walkcycle {
 
-// Parses the values of options, under every locale the same way. A text that is wrong throws a UsageError,
-// which names `option` and says what is expected.
+// Parse the values of options, the same under every locale. They throw a UsageError if the text is wrong; its message
+// begins with `option` and says what is expected.
 double parseNumber(std::string_view text, const std::string& option);
 int parseInteger(std::string_view text, const std::string& option, int least, int most);
 std::uint64_t parseSize(std::string_view text, const std::string& option);  // 1500, 20k, 64M, 2G (of 1024)

@@ -43,15 +43,15 @@ std::string poseObj(const Model& model, const Animator& animator) {
     std::string text = "# walkcycle pose\n";
     CpuSkinning skinning;
     std::vector<glm::vec3> positions, normals;
-    std::size_t firstVertex = 1;  // OBJ numbers vertices from 1, on through all objects
+    std::size_t firstVertex = 1;  // OBJ numbers the vertices of all objects together, from 1
     for (const MeshInstance& instance : model.instances) {
         const MeshData& mesh = model.meshes[static_cast<std::size_t>(instance.mesh)];
         skinning.vertices(model, instance, animator.modelTransforms(), animator.parameters(), positions,
                           normals);
         text += "o " + (mesh.name.empty() ? mesh.id : mesh.name) + "\n";
         for (const glm::vec3& p : positions) line(text, "v", {p.x, p.y, p.z});
-        // One index serves all three lists, so a mesh without texture coordinates gets zeros to keep the
-        // lists in step.
+        // Positions, texture coordinates and normals have the same indices here, so a mesh without texture
+        // coordinates gets zeros.
         const bool textured = !mesh.texCoordSets.empty();
         for (std::size_t v = 0; v < positions.size(); ++v) {
             const glm::vec2 uv = textured ? mesh.texCoordSets.front().coords[v] : glm::vec2(0.0f);

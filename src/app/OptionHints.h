@@ -9,10 +9,11 @@
 
 namespace walkcycle {
 
-// Which option of the program does what a message's cure speaks of: the library's messages know of no command line.
+// The option of the program that does what the cure of a message recommends. The messages of the library name no
+// options, because other programs use it, too.
 struct OptionHint {
     std::string_view code;
-    std::string_view option;  // * stands for what the cure has in quotes: a limit's name
+    std::string_view option;  // * stands for the word that the cure has in quotes: the name of a limit
 };
 
 inline constexpr OptionHint kOptionHints[] = {
@@ -21,7 +22,8 @@ inline constexpr OptionHint kOptionHints[] = {
     {"WC0801", "--limit *=N"},      {"WC0803", "--limit *=N"},
 };
 
-// "if the file is honest, raise the limit 'nodes': --limit nodes=N"; the cure as it is where no option does it.
+// The cure with the option behind it: "if the file is honest, raise the limit 'nodes': --limit nodes=N". Without an
+// option for this code, the cure itself.
 inline std::string withOption(std::string_view code, std::string cure) {
     for (const OptionHint& hint : kOptionHints) {
         if (hint.code != code) continue;
@@ -34,7 +36,7 @@ inline std::string withOption(std::string_view code, std::string cure) {
     return cure;
 }
 
-// The same for a whole message.
+// The same for a whole diagnostic.
 inline Diagnostic withOption(Diagnostic diagnostic) {
     diagnostic.cure = withOption(diagnostic.code, std::move(diagnostic.cure));
     return diagnostic;

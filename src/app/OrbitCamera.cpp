@@ -11,7 +11,7 @@ namespace walkcycle {
 namespace {
 
 constexpr float kFovDegrees = 30.0f;
-constexpr float kNearestToPole = 0.01f;  // radians; looking straight down, up would have no direction
+constexpr float kNearestToPole = 0.01f;  // radians; looking straight down, kUp would be no direction
 constexpr float kRadiansPerHeight = glm::pi<float>();  // half a revolution per window height
 constexpr float kZoomPerStep = 0.9f;
 const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
@@ -30,7 +30,7 @@ void OrbitCamera::frame(const Bounds& bounds, float aspect) {
     distance_ = std::max(1e-6f, glm::dot(framing.position() - target_, back));
     yaw_ = std::atan2(back.x, back.z);
     pitch_ = std::asin(std::clamp(back.y, -1.0f, 1.0f));
-    // The framing may not look exactly at the middle of the bounds; keep its own target.
+    // Camera::framing() may not look exactly at the middle of the bounds: take the point on its line of sight.
     target_ = framing.position() - towardsCamera() * distance_;
 }
 
@@ -43,7 +43,7 @@ void OrbitCamera::orbit(float dx, float dy) {
 void OrbitCamera::pan(float dx, float dy) {
     const glm::vec3 back = towardsCamera();
     const glm::vec3 right = glm::normalize(glm::cross(kUp, back));
-    // What the window's height shows at the target's distance.
+    // The height of the part of the scene that the window shows, at the target's distance.
     const float height = 2.0f * distance_ * std::tan(glm::radians(kFovDegrees) * 0.5f);
     target_ += (glm::cross(back, right) * dy - right * dx) * height;
 }

@@ -4,13 +4,14 @@
 
 namespace walkcycle {
 
-// The camera of the viewer, which the mouse moves around a point, towards and away from it, and sideways.
+// The camera of the viewer. It looks at a target point; the mouse moves it around the target (orbit), sideways together
+// with the target (pan), and to and from the target (zoom). Points and lengths are in model space.
 class OrbitCamera {
 public:
-    // Shows all of `bounds`, from a little to the side and above.
+    // Shows all of `bounds`, from the front, a little to the side and from above (CameraPreset::Auto).
     void frame(const Bounds& bounds, float aspect);
 
-    // Takes new bounds without moving: only the depth range of camera() and the range of zoom() change.
+    // Sets the bounds without moving the camera: only the depth range of camera() and the range of zoom() change.
     void keep(const Bounds& bounds) { bounds_ = bounds; }
 
     // Movements of the mouse as fractions of the window's height, y downwards.

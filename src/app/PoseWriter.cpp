@@ -10,7 +10,7 @@
 namespace walkcycle {
 namespace {
 
-// Calls write(i) for each i below count, with commas between.
+// Writes a list: calls write(i) for each i below `count`, with commas between.
 template <typename Write>
 void list(JsonText& json, std::size_t count, Write write) {
     json.raw("[");
@@ -34,7 +34,7 @@ void rowMajor(JsonText& json, const glm::mat<4, 4, Number>& matrix) {
     list(json, rows.size(), [&](std::size_t i) { json.number(rows[i]); });
 }
 
-// The positions that a surface uses. Positions used by lines alone, or by nothing, are left out.
+// Writes the positions that a surface uses. Positions that only lines use, or nothing, are left out.
 template <typename Number>
 void usedPositions(JsonText& json, const MeshData& mesh, const std::vector<glm::vec<3, Number>>& positions) {
     json.raw("[");

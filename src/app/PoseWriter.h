@@ -8,7 +8,8 @@
 
 namespace walkcycle {
 
-// The JSON that `pose` prints. `poses` has one entry per time.
+// The JSON of `pose`: the model transform of each joint and the deformed positions of each instance, at each of the
+// times. `poses` has one entry per time; matrices are written row by row.
 template <typename Number>
 std::string poseJson(const Model& model, std::span<const double> times,
                      std::span<const PosedModel<Number>> poses);

@@ -59,14 +59,14 @@ void installHandlers() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, onInterrupt) == SIG_IGN)
             std::signal(signal, SIG_IGN);  // set by nohup, for example
-    // Writing to a closed pipe, or beyond the largest allowed file, then fails like any other write: with a
-    // FileError.
+    // Ignored, so that a write to a closed pipe, or beyond the largest allowed file, throws FileError like any failed
+    // write.
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
     whenDisplayIsLost(onDisplayLost);
 }
 
-// If a standard stream is closed, the next file to be opened would get its number, and printed text would end
-// up in that file. /dev/null takes the number instead.
+// If a standard stream is closed, the next file that is opened would get its number, and messages would be printed into
+// that file. So /dev/null takes the number.
 void holdStandardStreams() {
     for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(fd, F_GETFD) >= 0) continue;
@@ -87,7 +87,7 @@ bool isVerb(const std::vector<Command>& commands, const std::string& word) {
                      didYouMean(word, joined(verbs, " ")));
 }
 
-// The end of a message about arguments that a verb does not have: the option that is probably meant.
+// The end of a message about an unknown option: the nearest option of the verb, if one is near.
 std::string nearestOption(const CLI::App& verb) {
     std::vector<std::string> options;
     for (const CLI::Option* option : verb.get_options())
@@ -119,7 +119,7 @@ int run(std::vector<std::string> arguments) {
     app.set_version_flag("--version", versionText);
     app.require_subcommand(1);
     int exitCode = kFine;
-    const bool forHelp = !isVerb(commands, arguments.front());  // of all verbs
+    const bool forHelp = !isVerb(commands, arguments.front());  // --help or --version of the whole program
     for (const Command& command : commands) {
         if (!forHelp && command.name != arguments.front()) continue;
         verb = app.add_subcommand(command.name, command.summary);
@@ -127,7 +127,7 @@ int run(std::vector<std::string> arguments) {
         command.declare(options);
         verb->final_callback([&exitCode, &command] { exitCode = command.run(); });
     }
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes the last argument first
     try {
         app.parse(arguments);
     } catch (const CLI::Success& success) {  // --help and --version
@@ -137,13 +137,13 @@ int run(std::vector<std::string> arguments) {
     } catch (const CLI::ParseError& error) {
         const bool isUnknown = !forHelp && dynamic_cast<const CLI::ExtrasError*>(&error);
         printError(error.what() + (isUnknown ? nearestOption(*verb) : std::string()) + " (walkcycle " +
-                   (forHelp ? "" : verb->get_name() + " ") + "--help lists what there is)");
+                   (forHelp ? "" : verb->get_name() + " ") + "--help shows the usage)");
         return kWrongUsage;
     }
     return exitCode;
 }
 
-// A file that cannot be opened counts as wrong usage; a file that holds nothing to show, as faulty.
+// A file that cannot be read counts as wrong usage, a file of which nothing can be shown as faulty.
 int exitCodeOf(const LoadError& error) {
     const bool unreadable =
         !error.diagnostics.empty() && error.diagnostics.back().code == info(Code::FileUnreadable).id;

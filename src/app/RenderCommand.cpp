@@ -89,7 +89,7 @@ RenderOptions lookOf(const RenderArguments& options) {
     return look;
 }
 
-// Checks what can be wrong in the command line alone, before any work begins.
+// The pattern of the output's names. Throws UsageError for a wrong --output before any work begins.
 FramePattern checkedOutput(const RenderArguments& options) {
     if (options.output.empty())
         throw UsageError("there is no output: give --output picture.png, or --output - for standard output");
@@ -99,7 +99,7 @@ FramePattern checkedOutput(const RenderArguments& options) {
     return FramePattern(options.output);
 }
 
-// Draws the shots of one call, all in the same size.
+// Draws the shots of one command, all in the same size.
 class Photographer {
 public:
     Photographer(const RenderArguments& options, AnimatedModel& model, int width, int height)
@@ -159,11 +159,11 @@ void takeAll(const RenderArguments& options, AnimatedModel& model, const std::ve
     }
 }
 
-// Opens the graphics device while the file is loaded, because both take time and neither needs the other.
-// Errors of the file come before those of the device.
-class Opening {
+// The model and the graphics device. The constructor loads the one on a second thread while it opens the other, because
+// both take time. If both fail, the error of the file is thrown; an error of the device is thrown by graphics().
+class ModelAndGraphics {
 public:
-    explicit Opening(const RenderArguments& options) {
+    explicit ModelAndGraphics(const RenderArguments& options) {
         auto loading = std::async(std::launch::async, [&options] { return options.load.load(options.file); });
         try {
             graphics_ = std::make_unique<Graphics>(options.backend);
@@ -188,9 +188,9 @@ public:
 
 int run(const RenderArguments& options) {
     const FramePattern output = checkedOutput(options);
-    lookOf(options);
-    Opening opening(options);
-    Model& loaded = opening.model;
+    lookOf(options);  // throws if a value is wrong
+    ModelAndGraphics opened(options);
+    Model& loaded = opened.model;
     options.camera.check(loaded);
     const Animation* clip = findClip(loaded, options.clip);
     const std::vector<Shot> shots = options.shots.shots(clip, options.clip);
@@ -198,7 +198,7 @@ int run(const RenderArguments& options) {
         throw UsageError("--output: " + std::to_string(shots.size()) +
                          " pictures need a name with {frame}, or --sheet");
 
-    const Graphics& graphics = opening.graphics();
+    const Graphics& graphics = opened.graphics();
     if (options.load.verbose) printNote(graphics.description());
     const int most = maxFramebufferSize();
     if (std::max(options.resolution.first, options.resolution.second) > most)

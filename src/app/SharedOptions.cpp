@@ -20,7 +20,7 @@ void declareTimes(Arguments& arguments, std::vector<double>& times) {
 
 void declareLook(Arguments& arguments, RenderOptions& look) {
     arguments.choiceOf<Lighting>("--lights", {{"studio", Lighting::Studio}, {"file", Lighting::File}},
-                                 "Our own light, or the document's lights and materials as they are",
+                                 "Lamps around the camera, or the document's own lights and materials",
                                  look.lights);
     arguments.flag("--skeleton", "Draw the joints on top", look.skeleton);
     arguments.flag("--wireframe", "Draw the edges on top", look.wireframe);

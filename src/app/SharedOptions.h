@@ -11,7 +11,7 @@ namespace walkcycle {
 // Options that several verbs have. Each is declared here once, so that its name, help and meaning are the same
 // everywhere. (The options of the loader, which all verbs with a document have, are in LoadArguments.h.)
 
-// FILE: a document, or - for standard input.
+// The positional FILE: a document, or - for standard input.
 void declareDocument(Arguments& arguments, std::string& file);
 
 // --clip, which findClip() of Clips.h looks up.

@@ -12,7 +12,7 @@ Sheet::Sheet(std::pair<int, int> size, std::pair<int, int> columnsAndRows)
       cellWidth_(size.first / columnsAndRows.first),
       cellHeight_(size.second / columnsAndRows.second) {
     if (cellWidth_ == 0 || cellHeight_ == 0)
-        throw UsageError("--sheet: more cells than the picture has pixels");
+        throw UsageError("--sheet: there are more cells than pixels in a row or column of the picture");
     image_.width = size.first;
     image_.height = size.second;
     image_.rgba.resize(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height) * 4,

@@ -7,8 +7,8 @@
 
 namespace walkcycle {
 
-// One picture made of several: a grid of equal cells, filled row by row. If the size does not divide evenly,
-// the rest stays empty at the right and the bottom.
+// One picture made of several: a grid of equal cells, numbered row by row. If the size does not divide evenly, some
+// columns at the right and rows at the bottom stay empty.
 class Sheet {
 public:
     // Throws UsageError if a cell would have no pixels.
@@ -17,6 +17,7 @@ public:
     int cellWidth() const { return cellWidth_; }
     int cellHeight() const { return cellHeight_; }
     std::size_t cellCount() const { return columns_ * rows_; }
+    // Copies a picture of the size of a cell.
     void place(std::size_t cell, const Image& picture);
     const Image& image() const { return image_; }
 

@@ -32,18 +32,18 @@ std::pair<int, int> parseFrames(const std::string& text) {
 void ShotList::declare(Arguments& arguments) {
     arguments.group("Which pictures");
     declareTimes(arguments, times_);
-    arguments.option("--frames", "A..B", "Frames A to B, frame 0 being at 0 s",
+    arguments.option("--frames", "A..B", "Frames A to B; frame 0 is at 0 s",
                      [this](const std::string& text) { frames_ = parseFrames(text); });
     arguments.option("--fps", "N", "Frames per second of --frames (24)", [this](const std::string& text) {
         framesPerSecond_ = parseNumber(text, "--fps");
         if (!(framesPerSecond_ > 0.0)) throw UsageError("--fps: '" + text + "' is not over zero");
     });
     arguments.option(
-        "--sheet", "CxR", "One picture of C by R moments, spread over the clip where no times are given",
+        "--sheet", "CxR", "One picture of C by R moments; without times, they are spread over the clip",
         [this](const std::string& text) { sheet_ = parsePair(text, 'x', "--sheet", kMostCells); });
-    arguments.option("--turntable", "N", "N pictures from all round", [this](const std::string& text) {
-        turntable_ = parseInteger(text, "--turntable", 1, kMostFrames);
-    });
+    arguments.option(
+        "--turntable", "N", "N pictures from all sides, the camera moving around the model",
+        [this](const std::string& text) { turntable_ = parseInteger(text, "--turntable", 1, kMostFrames); });
 }
 
 void ShotList::addFrames(std::vector<double>& times) const {
@@ -51,7 +51,8 @@ void ShotList::addFrames(std::vector<double>& times) const {
         times.push_back(frame / framesPerSecond_);
 }
 
-// In the time that the user speaks in: the clip's where one was named, else the document's.
+// The times of the pictures in seconds: from the start of the clip that --clip names, else on the document's timeline.
+// documentTime() converts both.
 std::vector<double> ShotList::times(const Animation* clip, const std::string& wantedClip) const {
     std::vector<double> times = times_;
     addFrames(times);
@@ -59,7 +60,7 @@ std::vector<double> ShotList::times(const Animation* clip, const std::string& wa
     const double shift = documentTime(0.0, clip, wantedClip);
     const double start = clip ? clip->startSeconds - shift : 0.0;
     if (!isSheet() || turntable_ > 0) return {start};
-    // Evenly over the clip without its end, which in a cycle is its start again.
+    // The cells are spread over the clip evenly, without its end, because the end of a cycle is its start again.
     const int cells = sheet_.first * sheet_.second;
     const double length = clip ? clip->lengthInSeconds() : 0.0;
     for (int cell = 0; cell < cells; ++cell) times.push_back(start + length * cell / cells);
@@ -69,7 +70,7 @@ std::vector<double> ShotList::times(const Animation* clip, const std::string& wa
 std::vector<Shot> ShotList::shots(const Animation* clip, const std::string& wantedClip) const {
     const std::vector<double> all = times(clip, wantedClip);
     std::vector<Shot> shots;
-    // A turntable of a moving model moves on with it: picture i takes time i, the last time lasting.
+    // On a turntable, picture i is of time i; when there are no more times, the last time is repeated.
     const std::size_t count = turntable_ > 0 ? static_cast<std::size_t>(turntable_) : all.size();
     for (std::size_t i = 0; i < count; ++i) {
         Shot shot{.documentSeconds = documentTime(all[std::min(i, all.size() - 1)], clip, wantedClip)};

@@ -21,10 +21,11 @@ namespace {
 
 struct ViewOptions {
     LoadArguments load;
-    std::string file, loop = "loop", clip;
+    std::string file, clip;
     std::vector<std::string> animationFiles;
     std::optional<double> time;
     double speed = 1.0;
+    LoopMode loop = LoopMode::Loop;
     bool watch = false;
     RenderOptions look;
 };
@@ -33,7 +34,7 @@ double parseSpeed(const std::string& text) {
     const double speed = parseNumber(text, "--speed");
     const double size = std::abs(speed);
     if (size != 0.0 && (size < Animator::kSlowest || size > Animator::kFastest))
-        throw UsageError("--speed: '" + text + "' is out of range: 1/128 to 128, with a minus for backwards");
+        throw UsageError("--speed: '" + text + "' is not 0, 1/128 to 128, or (backwards) -128 to -1/128");
     return speed;
 }
 
@@ -45,12 +46,14 @@ void declare(ViewOptions& options, Arguments& arguments) {
     declareClip(arguments, options.clip);
     arguments.option(
         "--time,-t", "S",
-        "Where to begin, in seconds on the document's timeline; with --clip, from the clip's start",
+        "The moment to begin at, in seconds on the document's timeline; with --clip, from the clip's start",
         [&options](const std::string& text) { options.time = parseNumber(text, "--time"); });
-    arguments.option("--speed", "X", "Speed of playing, 1/128 to 128; below zero, backwards (1)",
+    arguments.option("--speed", "X",
+                     "Speed of playing, 1/128 to 128; negative: backwards; 0: stands still (1)",
                      [&options](const std::string& text) { options.speed = parseSpeed(text); });
-    arguments.choice("--loop", {"once", "loop", "pingpong"},
-                     "At the clip's end: stop, start again, or play backwards (loop)", options.loop);
+    arguments.choiceOf<LoopMode>(
+        "--loop", {{"once", LoopMode::Once}, {"loop", LoopMode::Loop}, {"pingpong", LoopMode::PingPong}},
+        "At the clip's end: stop, start again, or play backwards (loop)", options.loop);
     arguments.flag("--watch", "Load the file again when it changes", options.watch);
     declareLook(arguments, options.look);
     options.load.declare(arguments);
@@ -61,7 +64,7 @@ void declare(ViewOptions& options, Arguments& arguments) {
         viewerHelp());
 }
 
-// The document with the clips of the other files behind its own.
+// Loads the document, and appends the clips of the files of --anim to its own.
 Model loadWithClips(const ViewOptions& options, const std::string& file) try {
     Model model = options.load.load(file);
     for (const std::string& name : options.animationFiles) {
@@ -81,12 +84,10 @@ int run(const ViewOptions& options) {
     settings.watch = options.watch;
     settings.startTime = options.time;
     settings.speed = options.speed;
-    settings.loopMode = options.loop == "once"       ? LoopMode::Once
-                        : options.loop == "pingpong" ? LoopMode::PingPong
-                                                     : LoopMode::Loop;
+    settings.loopMode = options.loop;
     settings.load = [&options](const std::string& file) { return loadWithClips(options, file); };
     Model first = loadWithClips(options, settings.file);
-    findClip(first, options.clip);  // a wrong name is reported before the window opens
+    findClip(first, options.clip);  // throws for a wrong --clip, before the window opens
     try {
         Viewer viewer(std::move(settings), std::move(first));
         viewer.run();

@@ -17,10 +17,10 @@ namespace walkcycle {
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
-constexpr double kSpeedStep = 1.2599210498948732;  // the cube root of 2: three steps are twice as fast
-constexpr double kStepSeconds = 1.0 / 30.0;
-constexpr double kSecondsPerFrame = 1.0 / 60.0;
-constexpr double kLongestFrame = 0.25;  // after a pause of the system, go on rather than jump
+constexpr double kSpeedStep = 1.2599210498948732;  // the cube root of 2: three steps double the speed
+constexpr double kStepSeconds = 1.0 / 30.0;        // of the keys , and .
+constexpr double kSecondsPerFrame = 1.0 / 60.0;    // the least
+constexpr double kLongestUpdate = 0.25;  // seconds: after a pause of the system, the clip does not jump
 
 std::string baseName(const std::string& file) {
     return std::filesystem::path(file).filename().string();
@@ -29,9 +29,9 @@ std::string baseName(const std::string& file) {
 }  // namespace
 
 const char* viewerHelp() {
-    return "left drag: orbit    right drag or shift + left drag: pan    wheel: zoom    Enter: the first view "
+    return "left drag: orbit    right drag or shift + left drag: pan    wheel: zoom    Enter: show all "
            "again\n"
-           "Space: pause    , and .: a step back or on    Home: the clip's start    Tab: next clip\n"
+           "Space: pause    , and .: a step back or forward    Home: the clip's start    Tab: next clip\n"
            "- and =: slower or faster    Backspace: the clip's own speed\n"
            "Shift+A: skeleton    E: wireframe    G: ground    H: this help    Q or Escape: quit\n";
 }
@@ -73,14 +73,14 @@ void Viewer::playClip(std::size_t number) {
     changed_ = true;
 }
 
-// The new model in the old one's place: same view, same speed, and the clip of the same name from its start.
+// The camera, the speed and the loop mode stay. The clip of the same name begins; if there is none, the first clip.
 bool Viewer::load(const std::string& file) {
     const std::string clipName = clip() ? clip()->name : "";
     const double speed = model_->animator().speed();
     const LoopMode loopMode = model_->animator().loopMode();
     try {
         model_ = std::make_unique<AnimatedModel>(settings_.load(file));
-    } catch (const LoadError&) {  // said already
+    } catch (const LoadError&) {  // printed already
         printNote("kept the model as it was");
         return false;
     } catch (const StrictFailure&) {
@@ -100,9 +100,9 @@ bool Viewer::load(const std::string& file) {
 }
 
 void Viewer::reload() {
-    const double moment = model_->animator().time();
+    const double seconds = model_->animator().time();
     if (!load(settings_.file)) return;
-    model_->setTime(moment);
+    model_->setTime(seconds);
     printNote("loaded " + settings_.file + " again");
 }
 
@@ -224,17 +224,17 @@ void Viewer::run() {
     while (!window_.shouldClose()) {
         const double now = window_.time();
         const bool moving = isMoving();
-        if (moving) model_->update(std::min(now - last, kLongestFrame));
+        if (moving) model_->update(std::min(now - last, kLongestUpdate));
         last = now;
         if (settings_.watch && watch_.changed(now)) reload();
         if (moving || changed_) draw();
         updateTitle();
-        // Where the driver does not wait for the screen, this does: no faster than 60 pictures a second, and
-        // nothing at all while nothing moves.
+        // Some drivers do not wait for the screen, so this loop waits: it draws at most 60 pictures a second, and none
+        // while nothing moves.
         const double left = kSecondsPerFrame - (window_.time() - now);
         if (!moving) {
             window_.waitEvents(settings_.watch ? 0.2 : 1.0);
-            last = window_.time();  // the time of standing still does not count
+            last = window_.time();  // the wait does not count as time of the clip
         } else if (left > 0.001) {
             window_.waitEvents(left);
         } else {

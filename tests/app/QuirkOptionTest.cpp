@@ -19,7 +19,7 @@ const std::string kHidden = WALKCYCLE_FIXTURES "/quirks/extra-visibility.dae";
 TEST(QuirkOptionTest, infoVerboseListsTheDialectAndEveryQuirkWithItsReason) {
     const Ran ran = runWalkcycle({"info", kSkin, "--verbose", "--quirk", "spaced-names=off"});
     EXPECT_THAT(ran.out, AllOf(HasSubstr("dialect    ColladaMaya 3.3\n"),
-                               HasSubstr("skin-by-node: on, for ColladaMaya, Softimage; it is used here\n"),
+                               HasSubstr("skin-by-node: on, for ColladaMaya, Softimage; used in this file\n"),
                                HasSubstr("inverted-transparency: off, only for SketchUp before 7.1\n"),
                                HasSubstr("zero-transparency: on, where the file shows it\n"),
                                HasSubstr("spaced-names: off, as chosen\n")));
