@@ -7,7 +7,9 @@ namespace walkcycle {
 // The exit codes of the program. Scripts rely on their meaning.
 enum ExitCode : int {
     kFine = 0,
-    kFaultsFound = 1,   // the file has errors, nothing of it can be shown, pictures differ, or memory ran out
+    // `check` found errors, nothing of the file can be shown, pictures differ, or memory ran out; with --strict, any
+    // error or warning.
+    kFaultsFound = 1,
     kWrongUsage = 2,    // the command line is wrong, or a file cannot be read or written
     kNoGraphics = 3,    // no device or display to draw with, or it was lost
     kInterrupted = 130  // by SIGINT: 128 + the number of the signal, as in shells (SIGTERM: 143)

@@ -8,7 +8,7 @@
 namespace walkcycle {
 
 // The output of `info` about a file, as text for people and as JSON for programs. If `dialect` is null, the text does
-// not list the quirks.
+// not have the dialect and its quirks.
 std::string infoText(const Model& model, const Dialect* dialect = nullptr);
 std::string infoJson(const Model& model, const Dialect& dialect);
 

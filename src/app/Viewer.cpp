@@ -19,7 +19,7 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 720;
 constexpr double kSpeedStep = 1.2599210498948732;  // the cube root of 2: three steps double the speed
 constexpr double kStepSeconds = 1.0 / 30.0;        // of the keys , and .
-constexpr double kSecondsPerFrame = 1.0 / 60.0;    // the least
+constexpr double kSecondsPerFrame = 1.0 / 60.0;    // at least, if the driver does not wait
 constexpr double kLongestUpdate = 0.25;  // seconds: after a pause of the system, the clip does not jump
 
 std::string baseName(const std::string& file) {

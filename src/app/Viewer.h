@@ -17,7 +17,7 @@ namespace walkcycle {
 
 // The choices of the command line for the viewer.
 struct ViewerSettings {
-    std::string file;                 // the document that --watch watches
+    std::string file;                 // the document to show
     std::string clip;                 // the value of --clip, for findClip()
     std::optional<double> startTime;  // the value of --time, for documentTime()
     double speed = 1.0;
@@ -45,11 +45,10 @@ private:
     bool lookKey(int pressed, int modifiers);      // handles keys of the look; false: it is another key
     void drag(double x, double y);
 
-    void playClip(std::size_t number);  // from its start, without moving the camera
-    bool load(
-        const std::string& file);  // replaces the model; false: the load failed, and the old model stays
-    void reload();                 // the same file again, at the same time of the clip
-    void open(const std::string& file);  // another file, which was dropped on the window
+    void playClip(std::size_t number);   // from its start, without moving the camera
+    bool load(const std::string& file);  // replaces the model; false: it failed, and the old one stays
+    void reload();                       // the same file again, at the same time of the clip
+    void open(const std::string& file);  // a file that was dropped on the window
     void draw();
     void updateTitle();
     const Animation* clip() const;  // null if the model has no clips

@@ -124,8 +124,7 @@ XmlNode inputOf(XmlNode parent, std::string_view semantic) {
 }
 
 int offsetOf(XmlNode input) {
-    constexpr int kLargestOffset =
-        1 << 20;  // sums of offsets do not overflow, and no primitive has so many inputs
+    constexpr int kLargestOffset = 1 << 20;  // more than any file needs; sums of offsets do not overflow
     return std::clamp(integerAttribute(input, "offset", 0), 0, kLargestOffset);
 }
 

@@ -39,10 +39,9 @@ public:
     struct Part {
         Primitive primitive = Primitive::Triangles;
         std::uint32_t firstIndex = 0, indexCount = 0;
-        int material = -1;    // index into Model::materials
-        std::size_t vao = 0;  // the argument of vao()
-        std::uint32_t middle =
-            0;  // index of the position nearest to the part's middle, for sorting by distance
+        int material = -1;         // index into Model::materials
+        std::size_t vao = 0;       // the argument of vao()
+        std::uint32_t middle = 0;  // the position nearest to the part's middle (an index), for sorting
     };
 
     // The same index as in Model::instances.

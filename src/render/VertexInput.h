@@ -16,8 +16,7 @@ inline constexpr GLuint kMoreInfluences = 4;
 inline constexpr GLuint kPositionIndex = 5;
 inline constexpr GLuint kColor = 6;
 inline constexpr GLuint kTangent = 7;
-inline constexpr GLuint kTextureCoords =
-    8;  // if slots use different sets: the first of one location per slot
+inline constexpr GLuint kTextureCoords = 8;  // the last; if slots use different sets, 8 + slot
 }  // namespace VertexInput
 
 // The texture units of the shader's samplers. The units below kSlotCount are for the pictures: unit s for slot s.
