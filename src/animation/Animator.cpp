@@ -43,6 +43,7 @@ void Animator::update(double seconds) {
 void Animator::increaseAnimationTime(double seconds) {
     const double length = lengthInSeconds();
     const double time = animationTime_ + seconds * speed_;
+    if (std::isnan(time)) return;  // of seconds that are NaN, or infinite at speed 0
     switch (loopMode_) {
         case LoopMode::Once:
             animationTime_ = time > 0.0 ? std::min(time, length) : 0.0;
@@ -121,7 +122,7 @@ void Animator::applyPoseToJoints() {
 // That was the episode. The rest is seeking, speed and loop modes.
 
 void Animator::setTime(double seconds) {
-    if (!animation_) return;
+    if (!animation_ || std::isnan(seconds)) return;
     animationTime_ = seconds;
     update(0.0);
 }
@@ -134,7 +135,7 @@ void Animator::step(double seconds) {
 }
 
 void Animator::sampleAt(double documentSeconds) {
-    if (!animation_) return;
+    if (!animation_ || std::isnan(documentSeconds)) return;
     const double start = animation_->startSeconds;
     const double seconds = std::clamp(documentSeconds, start, std::max(start, animation_->endSeconds));
     animationTime_ = seconds - start;

@@ -327,16 +327,26 @@ TEST_F(AnimatorClockTest, anotherLoopModeGoesOnFromTheSameTime) {
     expectTime(0.75);
 }
 
-TEST_F(AnimatorClockTest, noTimeAtAllIsTheStart) {
+TEST_F(AnimatorClockTest, aTimeThatIsNoNumberIsIgnored) {
     for (const LoopMode mode : {LoopMode::Once, LoopMode::Loop, LoopMode::PingPong}) {
         animator_.setLoopMode(mode);
+        animator_.setTime(0.75);
         animator_.setTime(std::nan(""));
-        expectTime(0.0);
+        expectTime(0.75);
         animator_.step(std::nan(""));
-        expectTime(0.0);
+        expectTime(0.75);
         animator_.update(std::nan(""));
-        expectTime(0.0);
+        expectTime(0.75);
+        animator_.sampleAt(std::nan(""));
+        expectTime(0.75);
     }
+}
+
+TEST_F(AnimatorClockTest, atSpeedZeroEvenAnInfiniteTimeStandsStill) {
+    animator_.setTime(0.75);
+    animator_.setSpeed(0.0);
+    animator_.update(std::numeric_limits<double>::infinity());
+    expectTime(0.75);
 }
 
 // 0.4 + (1.7 - 0.4) is less than 1.7, and a key frame at the end would be missed.

@@ -19,7 +19,8 @@ enum class LoopMode {
 // Plays an Animation on a Skeleton, as the series' Animator does: each update() increases the clip's time, blends
 // the key frames around that time into a pose, and computes one transform per joint from the pose. The Java makes maps of
 // names for each frame; this walks arrays and reuses their memory. Keeps pointers to the skeleton and the animation,
-// which must outlive it.
+// which must outlive it. Times that are NaN
+// are ignored.
 class WALKCYCLE_API Animator {
 public:
     // Holds the rest pose until doAnimation(). `restParameters` are the values of Model::parameters at rest; may be empty.
