@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +13,7 @@
 
 #include "loaders/LoadText.h"
 #include "loaders/TestFiles.h"
+#include "walkcycle/io/File.h"
 #include "walkcycle/loaders/LoadOptions.h"
 
 namespace walkcycle {
@@ -93,6 +95,31 @@ TEST(FileResolverTest, eachPathIsAskedForOnce) {
     loadText(text, options);
     EXPECT_THAT(asked, testing::Contains(Key("a.png")));
     EXPECT_THAT(asked, testing::Contains(Key("gone.png")));
+    EXPECT_THAT(asked, Each(Pair(testing::_, 1)));
+}
+
+// As of a resolver that returns readFile(path).
+TEST(FileResolverTest, aFileErrorIsReportedOnceAndThePathNotAskedForAgain) {
+    const std::string text = collada(
+        "<library_images><image id='a'><init_from>a.png</init_from></image></library_images>"
+        "<library_effects><effect id='e'><profile_COMMON><technique sid='t'><lambert><diffuse><texture "
+        "texture='a' texcoord='UV'/></diffuse></lambert></technique></profile_COMMON></effect>"
+        "</library_effects><library_materials><material id='m'><instance_effect url='#e'/></material>"
+        "</library_materials>" +
+        scene("<node><instance_geometry url='part.dae#mesh'><bind_material><technique_common>"
+              "<instance_material symbol='' target='#m'/></technique_common></bind_material>"
+              "</instance_geometry></node>"));
+    std::map<std::string, int> asked;
+    LoadOptions options;
+    options.resolver = [&](const std::string& path) -> std::string {
+        ++asked[path];
+        if (path == "part.dae") return kPart;
+        throw FileError("cannot read '" + path + "': the disk is gone");
+    };
+    const std::vector<std::string> reported = codes(loadText(text, options).diagnostics);
+    EXPECT_EQ(std::count(reported.begin(), reported.end(), "WC0624"), 1);
+    EXPECT_THAT(reported, testing::Not(testing::Contains("WC0620")));
+    EXPECT_THAT(asked, testing::Contains(Key("a.png")));
     EXPECT_THAT(asked, Each(Pair(testing::_, 1)));
 }
 

@@ -56,9 +56,9 @@ private:
 
 // Reads a file that a document refers to: another document or a picture. `path` is the decoded path of the reference,
 // resolved against the path or name of the document ("models/walker.dae" and "skin.png" make "models/skin.png"), with '/'
-// between folders and without redundant "." and "..". One load asks for each path once. If the resolver throws FileError,
-// the file is reported as one that cannot be read; any other exception ends the load and reaches the caller of
-// loadCollada.
+// between folders and without redundant "." and "..". One load asks for each path once, whatever the answer. If the
+// resolver throws FileError, the file is reported as one that cannot be read; any other exception ends the load and
+// reaches the caller of loadCollada.
 using FileResolver = std::function<ResolvedFile(const std::string& path)>;
 
 // The open document and its model, for the rules of <walkcycle/profiles/Profile.h>. Its members are private to the

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <new>
 
@@ -82,9 +83,17 @@ bool Surroundings::mayOpen(const fs::path& path) const {
 
 // Caches the answers: two textures may name one picture by different URIs, and a search tries some paths twice.
 std::optional<Bytes> Surroundings::resolved(const std::string& path) const {
-    auto known = resolved_.find(path);
-    if (known == resolved_.end()) known = resolved_.emplace(path, options_.resolver(path)).first;
-    return known->second.found() ? std::optional(known->second.bytes()) : std::nullopt;
+    const auto [answer, isNew] = resolved_.try_emplace(path);
+    if (isNew) {
+        try {
+            answer->second.file = options_.resolver(path);
+        } catch (const FileError&) {
+            answer->second.failure = std::current_exception();
+        }
+    }
+    if (answer->second.failure) std::rethrow_exception(answer->second.failure);
+    const ResolvedFile& file = answer->second.file;
+    return file.found() ? std::optional(file.bytes()) : std::nullopt;
 }
 
 std::optional<Bytes> Surroundings::read(const XmlNode& from, const fs::path& path, std::size_t most) const {

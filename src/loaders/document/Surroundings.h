@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,7 +31,8 @@ public:
     // it may not be opened (reported at `from`). Throws FileError or ArchiveError if the file exists and cannot be read.
     std::optional<Bytes> read(const XmlNode& from, const std::filesystem::path& path,
                               std::size_t most = SIZE_MAX) const;
-    // The file that the caller's resolver has at a path; nothing if it has none. Asks it once per path. There must be one.
+    // The file that the caller's resolver has at a path; nothing if it has none. Asks it once per path.
+    // There must be a resolver. Throws its FileErrors.
     std::optional<Bytes> resolved(const std::string& path) const;
     // Whether there is such a file on disk and read() would open it.
     bool isPlainFile(const std::filesystem::path& path) const;
@@ -40,6 +42,12 @@ public:
     const std::vector<std::string>& list(const std::filesystem::path& folder);
 
 private:
+    // What the caller's resolver returned for a path, or the FileError that it threw.
+    struct Answer {
+        ResolvedFile file{std::nullopt};
+        std::exception_ptr failure;
+    };
+
     bool mayOpen(const std::filesystem::path& path) const;
     std::filesystem::path trueLocation(const std::filesystem::path& path, std::error_code& error) const;
 
@@ -47,7 +55,7 @@ private:
     Diagnostics& diagnostics_;
     std::optional<Archive> archive_;
     std::unordered_map<std::string, std::vector<std::string>> listed_;
-    mutable std::unordered_map<std::string, ResolvedFile> resolved_;  // answers of the resolver, by path
+    mutable std::unordered_map<std::string, Answer> resolved_;                // by path
     mutable std::unordered_map<std::string, std::filesystem::path> folders_;  // resolved, by path
     // The document's folder, resolved; none for a document in memory, which has no files on disk around it.
     std::optional<std::filesystem::path> root_;

@@ -114,11 +114,13 @@ const PictureFinder::Picture& PictureFinder::chosenByUser() {
 }
 
 std::optional<PictureFinder::File> PictureFinder::search(XmlNode where, const std::string& uri) {
+    unreadable_ = false;
     if (std::optional<File> file = asWritten(where, uri)) return file;
     if (std::optional<File> file = guess(where, uri)) {
         context_.diagnostics.report(Code::PictureGuessed, where, {uri, file->path});
         return file;
     }
+    if (unreadable_) return {};  // reported already
     const std::string scheme = parseUri(uri).scheme;
     const bool remote = !scheme.empty() && scheme != "file";
     context_.diagnostics.report(remote ? Code::PictureRemote : Code::PictureMissing, where, {uri});
@@ -188,15 +190,20 @@ std::optional<PictureFinder::File> PictureFinder::read(XmlNode where, const std:
         if (std::optional<Bytes> bytes = context_.documents.readBeside(where, normal, found, most))
             return File{std::move(found), std::move(*bytes)};
     } catch (const FileTooLarge& error) {
-        context_.diagnostics.report(
-            Code::PictureUnreadable, where,
-            {path, limitText(error.amount, context_.options.limits, &LoadLimits::maxFileBytes)});
+        reportUnreadable(where, path,
+                         limitText(error.amount, context_.options.limits, &LoadLimits::maxFileBytes));
     } catch (const FileError& error) {
-        context_.diagnostics.report(Code::PictureUnreadable, where, {path, error.what()});
+        reportUnreadable(where, path, error.what());
     } catch (const ArchiveError& error) {
-        context_.diagnostics.report(Code::PictureUnreadable, where, {path, error.what()});
+        reportUnreadable(where, path, error.what());
     }
     return {};
+}
+
+// Once per search: a folder or a resolver that fails for one path fails for the guesses, too.
+void PictureFinder::reportUnreadable(XmlNode where, const std::string& path, const std::string& reason) {
+    if (!unreadable_) context_.diagnostics.report(Code::PictureUnreadable, where, {path, reason});
+    unreadable_ = true;
 }
 
 // Whether a path may be read at all. An absolute path usually belongs to the disk of whoever exported the

@@ -48,6 +48,7 @@ private:
     std::optional<File> inAnotherFormat(XmlNode where, const std::string& name);
     std::optional<File> onlyPicture(XmlNode where);
     std::optional<File> read(XmlNode where, const std::string& path);
+    void reportUnreadable(XmlNode where, const std::string& path, const std::string& reason);
     bool mayBeInside(XmlNode where, const std::string& path) const;
     Picture decode(XmlNode where, const std::string& name, File file);
     std::shared_ptr<const Image> decodeWithinLimits(const File& file);
@@ -57,6 +58,7 @@ private:
     PicturesAhead* ahead_;
     std::map<std::pair<std::string, std::string>, Picture> pictures_;  // by document and URI
     std::map<std::string, std::shared_ptr<const Image>> images_;       // by path
+    bool unreadable_ = false;   // whether the present search has reported a file that cannot be read
     int guesses_ = 0;           // how many searches have needed guesses
     std::uint64_t pixels_ = 0;  // of all pictures together, for LoadLimits::maxTotalPixels
 };
