@@ -9,7 +9,11 @@ std::vector<float> Model::restParameters() const {
     return values;
 }
 
-const Animation& Model::animation(std::string_view name) const {
+Animation Model::animation(std::string_view name) && {
+    return static_cast<const Model&>(*this).animation(name);
+}
+
+const Animation& Model::animation(std::string_view name) const& {
     std::string names;
     for (const Animation& one : animations) {
         if (one.name == name) return one;

@@ -132,7 +132,10 @@ struct WALKCYCLE_API Model {
     std::vector<float> restParameters() const;
 
     // The first of `animations` with this name. Throws NoSuchClip if there is none.
-    const Animation& animation(std::string_view name) const;
+    const Animation& animation(std::string_view name) const&;
+    // That of a temporary model is a copy, so that no Animator can keep a pointer into it:
+    // animator.doAnimation(loadCollada(path).animation("walk")) does not compile.
+    Animation animation(std::string_view name) &&;
 };
 
 // Thrown by borrowClips() if no clip of the source can move the model. what() says why.
