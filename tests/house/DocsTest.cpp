@@ -12,6 +12,7 @@
 
 using namespace walkcycle::house;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 namespace {
@@ -77,6 +78,16 @@ TEST(DocsTest, everyLinkWithinTheDocsLeadsToAFile) {
             EXPECT_TRUE(std::filesystem::exists(folder / target)) << page << " links to " << target;
         }
     }
+}
+
+TEST(DocsTest, theTableOfErrorsNamesWhatPublicHeadersDeclare) {
+    std::string headers;
+    for (const std::string& header : filesBelow("include", {".h"})) headers += readText(root() / header);
+    const std::string page = readText(root() / "docs/library.md"),
+                      table = page.substr(page.find("\n## Errors"));
+    EXPECT_THAT(allMatches(table, std::regex(R"(\n\| `(\w+)` \|)")), Not(IsEmpty()));
+    for (const std::string& name : allMatches(table, std::regex("`(?:\\w+::)?(\\w+)(?:\\(\\))?`")))
+        EXPECT_TRUE(std::regex_search(headers, std::regex("\\b" + name + "\\b"))) << name;
 }
 
 TEST(DocsTest, theJavaMapCoversAllClassesAndNamesFilesThatExist) {

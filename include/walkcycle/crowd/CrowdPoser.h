@@ -13,9 +13,9 @@
 namespace walkcycle {
 
 // Computes the palettes of one clip for one skin, for any number of characters that differ only in their time: the
-// caller keeps nothing else of a character. The palettes differ from those of Animator and computePalette by at most 1e-6
-// (times the number, if it is larger than 1); docs/performance.md says how much faster they are computed. Several threads
-// share the work in small portions; they start once and sleep between calls.
+// caller keeps nothing else of a character. The palettes differ from those of Animator and computePalette by at most 1e-6,
+// times the largest number of Skin::bindMatrices if that is larger than 1; docs/performance.md says how much faster they
+// are computed. Several threads share the work in small portions; they start once and sleep between calls.
 class WALKCYCLE_API CrowdPoser {
 public:
     // Copies what it needs: skeleton, animation and skin need not outlive it. `threads` is how many threads work,

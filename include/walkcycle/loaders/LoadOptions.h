@@ -105,8 +105,9 @@ struct LoadOptions {
     // Called with the share of the work that is done: some hundred rising values at most, the last of which is 1. Runs on
     // the thread that called loadCollada.
     std::function<void(double)> progress;
-    // Called between pieces of work of some ten milliseconds. If it returns true, the load stops with a LoadError whose
-    // cancelled() is true, and no callback is called any more. Runs on the thread that called loadCollada.
+    // Called between pieces of work of some ten milliseconds (a large picture is one longer piece). If it returns true,
+    // the load stops with a LoadError whose cancelled() is true, and no callback is called any more. Runs on the thread
+    // that called loadCollada.
     std::function<bool()> cancelled;
     // Called once, when the model is complete and its document is still open.
     std::function<void(const Inspection&)> inspector;
@@ -126,8 +127,7 @@ struct WALKCYCLE_API InvalidOption : std::invalid_argument {
     std::string must;    // "must be a number over 0"
 };
 
-// Throws InvalidOption if a value of the options is not allowed. loadCollada calls it first. (The names of quirks are
-// checked later in the load.)
+// Throws InvalidOption if a value of the options is not allowed. loadCollada calls it first.
 WALKCYCLE_API void requireValid(const LoadOptions& options);
 
 }  // namespace walkcycle
