@@ -14,7 +14,8 @@ namespace walkcycle {
 
 class CrowdPoser::Workers {
 public:
-    Workers(const FastPoser& poser, unsigned int threads) : posers_(std::max(1u, threads), poser) {
+    Workers(const FastPoser& poser, unsigned int threads)
+        : posers_(std::clamp(threads, 1u, kMostThreads), poser) {
         for (std::size_t i = 1; i < posers_.size(); ++i)
             threads_.emplace_back([this, i](const std::stop_token& stop) { work(stop, posers_[i]); });
     }
@@ -38,7 +39,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t kPortion = 64;  // characters
+    static constexpr std::size_t kPortion = 64;        // characters
+    static constexpr unsigned int kMostThreads = 256;  // each has a copy of the tables
 
     void takePortions(FastPoser& poser) {
         const std::size_t size = poser.paletteSize();

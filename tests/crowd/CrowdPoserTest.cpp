@@ -61,6 +61,14 @@ TEST(CrowdPoserTest, aSingleCharacterIsPosedToo) {
     EXPECT_NEAR(heightOf(palette[0]), 3.0f, 1e-6f);
 }
 
+// -1 becomes the largest unsigned number.
+TEST(CrowdPoserTest, absurdlyManyThreadsAreNotStarted) {
+    CrowdPoser crowd = rising(static_cast<unsigned int>(-1));
+    std::vector<JointRows> palettes(1000);
+    crowd.pose(std::vector<double>(1000, 2.0), palettes);
+    EXPECT_NEAR(heightOf(palettes[999]), 2.0f, 1e-6f);
+}
+
 TEST(CrowdPoserTest, posingAllocatesNothing) {
     CrowdPoser crowd = rising(2);
     const std::vector<double> times(500, 1.0);

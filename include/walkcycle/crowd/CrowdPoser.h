@@ -19,7 +19,7 @@ namespace walkcycle {
 class WALKCYCLE_API CrowdPoser {
 public:
     // Copies what it needs: skeleton, animation and skin need not outlive it. `threads` is how many threads work,
-    // including the caller's (so 1 starts none); 0 means one per processor.
+    // including the caller's (so 1 starts none), at most 256; 0 means one per processor.
     CrowdPoser(const Skeleton& skeleton, const Animation& animation, const Skin& skin,
                unsigned int threads = 0);
     ~CrowdPoser();
