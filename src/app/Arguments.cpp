@@ -1,8 +1,11 @@
 #include "app/Arguments.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "app/Joined.h"
+#include "loaders/text/Spelling.h"
 
 namespace walkcycle {
 
@@ -57,7 +60,11 @@ void Arguments::checkedOption(const std::string& names, const std::vector<std::s
                               const std::string& help, const std::function<void(const std::string&)>& set) {
     app_.add_option_function<std::string>(names, set, help)
         ->option_text(joined(choices, "|"))
-        ->check(CLI::IsMember(choices))
+        ->check([choices](const std::string& word) {
+            if (std::find(choices.begin(), choices.end(), word) != choices.end()) return std::string();
+            return "'" + word + "' is none of " + joined(choices, ", ") +
+                   didYouMean(word, joined(choices, " "));
+        })
         ->group(group_);
 }
 

@@ -42,7 +42,8 @@ void setLimit(const std::string& text, LoadOptions& options) {
     const LimitInfo* limit = findLimit(name);
     if (!limit) throw UsageError("--limit: '" + name + "' is not a limit; the limits are " + limitNames());
     if (equals == text.size())
-        throw UsageError("--limit: '" + text + "' has no value, as in " + name + "=1000");
+        throw UsageError("--limit: '" + text + "' has no value, as in " + name + "=" +
+                         std::to_string(LoadLimits{}.*limit->value));
     options.limits.*limit->value = parseSize(text.substr(equals + 1), "--limit " + name);
     requireUsable(options, "--limit: " + name);
 }

@@ -87,32 +87,52 @@ bool isVerb(const std::vector<Command>& commands, const std::string& word) {
                      didYouMean(word, joined(verbs, " ")));
 }
 
-// The end of a message about an unknown option: the nearest option of the verb, if one is near.
-std::string nearestOption(const CLI::App& verb) {
-    std::vector<std::string> options;
+// The end of a message about an option that a verb does not have: the nearest option, if one is near.
+std::string nearestOption(const std::string& unknown, const CLI::App& verb, const std::string& ofTheProgram) {
+    if (!unknown.starts_with("--")) return "";
+    std::string options = ofTheProgram;
     for (const CLI::Option* option : verb.get_options())
-        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
-    for (const std::string& unknown : verb.remaining())
-        if (unknown.starts_with("--"))
-            return didYouMean(unknown.substr(0, unknown.find('=')), joined(options, " "));
-    return "";
+        for (const std::string& name : option->get_lnames()) options += " --" + name;
+    return didYouMean(unknown, options);
 }
 
-// `walkcycle hero.dae --clip run` is short for `walkcycle view hero.dae --clip run`.
-void insertView(std::vector<std::string>& arguments, const std::vector<Command>& commands) {
+std::string unexpectedArgument(const CLI::App& verb, const std::string& ofTheProgram) {
+    const std::vector<std::string> unexpected = verb.remaining();
+    for (const std::string& argument : unexpected) {
+        const std::string option = argument.substr(0, argument.find('='));
+        if (option.size() > 1 && option[0] == '-')
+            return verb.get_name() + " has no option '" + option + "'" +
+                   nearestOption(option, verb, ofTheProgram);
+    }
+    return verb.get_name() + " does not take '" + joined(unexpected, "', '") + "' as well";
+}
+
+// What is wrong with the arguments of a verb, in plainer words than CLI11's. `ofTheProgram` are the options that are also
+// possible.
+std::string wrongUsage(const CLI::ParseError& error, const CLI::App& verb, const std::string& ofTheProgram) {
+    const std::string text = error.what(), option = text.substr(0, text.find(':'));
+    if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpectedArgument(verb, ofTheProgram);
+    if (!dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return text;
+    if (text.ends_with("missing")) return option + " needs a value";
+    return text.find("received") == std::string::npos ? text : option + " can be given once only";
+}
+
+// `walkcycle hero.dae --clip run` is short for `walkcycle view hero.dae --clip run`. Returns whether it was that.
+bool insertView(std::vector<std::string>& arguments, const std::vector<Command>& commands) {
     const std::string first = arguments.empty() ? "" : arguments.front();
-    if (isVerb(commands, first) || first == "--help" || first == "-h" || first == "--version") return;
+    if (isVerb(commands, first) || first == "--help" || first == "-h" || first == "--version") return false;
     const bool looksLikeWord =
         !first.empty() && first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
     std::error_code ignored;
     if (looksLikeWord && first[0] != '-' && !std::filesystem::exists(first, ignored))
         failAsNeitherFileNorVerb(commands, first);
     arguments.insert(arguments.begin(), "view");
+    return true;
 }
 
 int run(std::vector<std::string> arguments) {
     const std::vector<Command> commands = allCommands();
-    insertView(arguments, commands);
+    const std::string ofTheProgram = insertView(arguments, commands) ? "--version" : "";
     CLI::App app(kAbout, "walkcycle");
     CLI::App* verb = nullptr;
     app.footer(kExamples);
@@ -135,8 +155,7 @@ int run(std::vector<std::string> arguments) {
         app.exit(success, help, help);
         printOut(help.str());
     } catch (const CLI::ParseError& error) {
-        const bool isUnknown = !forHelp && dynamic_cast<const CLI::ExtrasError*>(&error);
-        printError(error.what() + (isUnknown ? nearestOption(*verb) : std::string()) + " (walkcycle " +
+        printError((forHelp ? error.what() : wrongUsage(error, *verb, ofTheProgram)) + " (walkcycle " +
                    (forHelp ? "" : verb->get_name() + " ") + "--help shows the usage)");
         return kWrongUsage;
     }
