@@ -3,15 +3,24 @@
 #include <cstddef>
 #include <utility>
 
+#include "render/CurrentContext.h"
 #include "render/ModelResource.h"
 
 namespace walkcycle {
+namespace {
+
+std::shared_ptr<ModelResource> buffersOf(const Model& model) {
+    requireContext();
+    return std::make_shared<ModelResource>(model);
+}
+
+}  // namespace
 
 AnimatedModel::AnimatedModel(Model model) : AnimatedModel(std::make_shared<const Model>(std::move(model))) {}
 
 AnimatedModel::AnimatedModel(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
-      resource_(std::make_shared<ModelResource>(*model_)),
+      resource_(buffersOf(*model_)),
       animator_(model_->skeleton, model_->restParameters()),
       scene_(*model_) {}
 

@@ -10,6 +10,7 @@
 
 #include "render/AnimatedModelShader.h"
 #include "render/BackgroundRenderer.h"
+#include "render/CurrentContext.h"
 #include "render/Drawing.h"
 #include "render/FileLights.h"
 #include "render/InstanceStates.h"
@@ -196,7 +197,10 @@ void AnimatedModelRenderer::Impl::drawModel(const Scene& scene) {
     }
 }
 
-AnimatedModelRenderer::AnimatedModelRenderer() : impl_(std::make_unique<Impl>()) {}
+AnimatedModelRenderer::AnimatedModelRenderer() {
+    requireContext();
+    impl_ = std::make_unique<Impl>();
+}
 AnimatedModelRenderer::~AnimatedModelRenderer() = default;
 AnimatedModelRenderer::AnimatedModelRenderer(AnimatedModelRenderer&&) noexcept = default;
 AnimatedModelRenderer& AnimatedModelRenderer::operator=(AnimatedModelRenderer&&) noexcept = default;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "render/AnimatedModelShader.h"
+#include "render/CurrentContext.h"
 #include "render/Drawing.h"
 #include "render/FileLights.h"
 #include "render/InstanceStates.h"
@@ -141,7 +142,10 @@ void CrowdRenderer::Impl::drawPage(const Scene& scene, bool seeThrough) {
 }
 
 CrowdRenderer::CrowdRenderer() : CrowdRenderer(BufferTexture::maxTexels()) {}
-CrowdRenderer::CrowdRenderer(std::size_t maxTexels) : impl_(std::make_unique<Impl>(maxTexels)) {}
+CrowdRenderer::CrowdRenderer(std::size_t maxTexels) {
+    requireContext();
+    impl_ = std::make_unique<Impl>(maxTexels);
+}
 CrowdRenderer::~CrowdRenderer() = default;
 CrowdRenderer::CrowdRenderer(CrowdRenderer&&) noexcept = default;
 CrowdRenderer& CrowdRenderer::operator=(CrowdRenderer&&) noexcept = default;

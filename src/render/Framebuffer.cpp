@@ -8,6 +8,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render/CurrentContext.h"
 #include "render/PictureState.h"
 #include "render/Srgb.h"
 
@@ -53,6 +54,7 @@ void flipRows(Bytes& rgba, std::size_t rowBytes) {
 }  // namespace
 
 Framebuffer::Framebuffer(int width, int height, int samples) {
+    requireContext();
     if (width < 1 || height < 1 || width > maxFramebufferSize() || height > maxFramebufferSize()) {
         throw std::runtime_error("the width and the height of a picture are at least 1 and at most " +
                                  std::to_string(maxFramebufferSize()) + " pixels on this device");

@@ -43,8 +43,8 @@ struct RenderTarget {
     float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
 };
 
-// The graphics driver refuses a call that OpenGL 3.3 allows (a shader does not compile, a picture finds no memory), or
-// a CrowdRenderer cannot draw the model. The message names the reason.
+// No OpenGL context is current, the graphics driver refuses a call that OpenGL 3.3 allows (a shader does not compile, a
+// picture finds no memory), or a CrowdRenderer cannot draw the model. The message names the reason.
 struct WALKCYCLE_API GraphicsError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
