@@ -85,7 +85,7 @@ RenderOptions lookOf(const RenderArguments& options) {
         look.background = Background::Color;
         look.backgroundColor = parseColor(options.background, "--background");
     }
-    if (options.noBackground) look.background = Background::None;
+    if (options.noBackground) look.background = Background::Transparent;
     return look;
 }
 
@@ -113,7 +113,7 @@ public:
         const Camera camera = options_.camera.camera(model_, picture_.aspect(), shot.orbitRadians);
         const int passes = (options_.samples + picture_.samples() - 1) / picture_.samples();
         Image image = passes > 1 ? average(camera, passes) : draw(camera);
-        if (look_.background != Background::None) image.hasAlpha = false;
+        if (look_.background != Background::Transparent) image.hasAlpha = false;
         return image;
     }
 

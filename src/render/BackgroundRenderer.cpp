@@ -65,7 +65,7 @@ Backdrop backdropOf(const RenderOptions& options, bool encodesItself,
 void BackgroundRenderer::render(const RenderOptions& options, bool encodesItself, const Ground* ground,
                                 const RenderTarget& target) {
     const bool plainColor = options.background == Background::Color && !ground;
-    const bool empty = options.background == Background::None || plainColor;
+    const bool empty = options.background == Background::Transparent || plainColor;
     std::optional<Backdrop>* const underlay = target.picture ? target.picture->underlay() : nullptr;
     if (underlay) underlay->reset();
     clear(plainColor ? glm::vec4(asStored(options.backgroundColor, encodesItself), 1.0f) : glm::vec4(0.0f));

@@ -25,7 +25,7 @@ GLint glWrap(Wrap wrap) {
         case Wrap::Clamp:
             return GL_CLAMP_TO_EDGE;
         case Wrap::Border:
-        case Wrap::None:
+        case Wrap::Transparent:
             return GL_CLAMP_TO_BORDER;
     }
     return GL_REPEAT;
@@ -43,7 +43,6 @@ GLint glMinFilter(Filter filter) {
             return GL_LINEAR_MIPMAP_NEAREST;
         case Filter::NearestMipmapLinear:
             return GL_NEAREST_MIPMAP_LINEAR;
-        case Filter::None:
         case Filter::LinearMipmapLinear:
             return GL_LINEAR_MIPMAP_LINEAR;
     }
@@ -62,7 +61,7 @@ bool usesMipMaps(GLint minFilter) {
 
 // OpenGL converts the texels of a Color picture to linear light, but not the border colour. So it is converted here.
 glm::vec4 borderColor(const Texture& texture, TexelKind kind) {
-    if (texture.wrapS == Wrap::None || texture.wrapT == Wrap::None) return glm::vec4(0.0f);
+    if (texture.wrapS == Wrap::Transparent || texture.wrapT == Wrap::Transparent) return glm::vec4(0.0f);
     const glm::vec4& border = texture.borderColor;
     return kind == TexelKind::Color ? glm::vec4(linearOfSrgb(glm::vec3(border)), border.a) : border;
 }

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,17 @@ TEST(LayeringTest, aPublicHeaderStandsOnPublicHeadersAndGlmAlone) {
     EXPECT_THAT(faultsOf("include/walkcycle/model/A.h", "<glm/vec3.hpp>"), IsEmpty());
     EXPECT_THAT(faultsOf("include/walkcycle/model/A.h", "\"model/SkinningKernel.h\""), Not(IsEmpty()));
     EXPECT_THAT(faultsOf("include/walkcycle/render/A.h", "<epoxy/gl.h>"), Not(IsEmpty()));
+}
+
+// <X11/Xlib.h>, which <EGL/egl.h> includes, defines these as macros.
+TEST(LayeringTest, noPublicHeaderUsesAWordThatX11Defines) {
+    const std::regex word(
+        "\\b(None|Always|Bool|Status|True|False|Success|Complex|Above|Below|Unsorted|"
+        "KeyPress|KeyRelease|FocusIn|FocusOut)\\b");
+    for (const std::string& path : filesBelow("include", {".h"})) {
+        const std::string code = std::regex_replace(readText(root() / path), std::regex("//[^\n]*"), "");
+        EXPECT_FALSE(std::regex_search(code, word)) << path;
+    }
 }
 
 TEST(LayeringTest, thePublicFaceStaysSmall) {

@@ -21,7 +21,7 @@ namespace {
 
 using namespace testing_models;
 
-constexpr RenderOptions kFile{.lights = Lighting::File, .background = Background::None};
+constexpr RenderOptions kFile{.lights = Lighting::File, .background = Background::Transparent};
 
 class AnimatedModelRendererGLTest : public GlTest {
 protected:

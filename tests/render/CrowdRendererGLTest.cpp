@@ -117,7 +117,7 @@ protected:
 TEST_F(CrowdRendererGLTest, aCrowdLooksAsIfItsWalkersWereDrawnOneByOne) {
     for (const bool seeThrough : {false, true}) {
         for (const Lighting lights : {Lighting::Studio, Lighting::File}) {
-            const RenderOptions options{.lights = lights, .background = Background::None};
+            const RenderOptions options{.lights = lights, .background = Background::Transparent};
             const auto model = dancer(seeThrough);
             const Image single = oneByOne(model, options), crowd = together(model, options);
             keep(crowd, seeThrough ? "crowd-glass" : "crowd");
@@ -145,7 +145,7 @@ TEST_F(CrowdRendererGLTest, aWalkerThatFitsNoTextureIsAnError) {
 TEST_F(CrowdRendererGLTest, nobodyIsDrawnOfAnEmptyCrowd) {
     const auto model = dancer();
     Framebuffer picture(32, 32);
-    renderer_.clear(picture, {.background = Background::None});
+    renderer_.clear(picture, {.background = Background::Transparent});
     CrowdRenderer().draw(AnimatedModel(model), {}, camera(), picture);
     EXPECT_EQ(pixel(picture.read(), 16, 16)[3], 0);
 }

@@ -19,12 +19,11 @@ enum class ShadingModel { Constant, Lambert, Phong, Blinn };
 enum class Slot { Emission, Ambient, Diffuse, Specular, Reflective, Transparent, Bump };
 inline constexpr int kSlotCount = 7;
 
-// <wrap_s>, <wrap_t>: what a sampler does outside the picture. Border: Texture::borderColor. None:
-// transparent black.
-enum class Wrap { Repeat, Mirror, Clamp, Border, None };
-// <minfilter>, <magfilter>, by the names of OpenGL.
+// <wrap_s>, <wrap_t>: what a sampler does outside the picture. Border: Texture::borderColor. Transparent (NONE in the
+// file): transparent black.
+enum class Wrap { Repeat, Mirror, Clamp, Border, Transparent };
+// <minfilter>, <magfilter>, by the names of OpenGL. NONE in the file leaves the default.
 enum class Filter {
-    None,
     Nearest,
     Linear,
     NearestMipmapNearest,

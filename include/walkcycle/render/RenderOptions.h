@@ -15,9 +15,9 @@ enum class Lighting {
 
 // The background of a picture.
 enum class Background {
-    Gradient,  // from grey at the top to a lighter grey at the bottom
-    Color,     // RenderOptions::backgroundColor
-    None       // transparent: the picture's alpha is the coverage by the model times its opacity
+    Gradient,    // from grey at the top to a lighter grey at the bottom
+    Color,       // RenderOptions::backgroundColor
+    Transparent  // the picture's alpha is the coverage by the model times its opacity
 };
 
 // How a picture is drawn.

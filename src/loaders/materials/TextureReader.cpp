@@ -26,7 +26,7 @@ constexpr std::array<Word<Wrap>, 5> kWraps = {{{"WRAP", Wrap::Repeat},
                                                {"MIRROR", Wrap::Mirror},
                                                {"CLAMP", Wrap::Clamp},
                                                {"BORDER", Wrap::Border},
-                                               {"NONE", Wrap::None}}};
+                                               {"NONE", Wrap::Transparent}}};
 
 // NONE means that the program may choose, so it has the default filter.
 constexpr std::array<Word<Filter>, 8> kFilters = {{{"NONE", Filter::LinearMipmapLinear},
