@@ -7,6 +7,13 @@
 
 namespace walkcycle {
 
+// The library is compiled with GLM's default layout. With another, a program would read other numbers than it wrote.
+static_assert(sizeof(glm::vec3) == 3 * sizeof(float) && alignof(glm::mat4) == alignof(float),
+              "Walkcycle needs GLM without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+#if defined(GLM_FORCE_QUAT_DATA_WXYZ) || defined(GLM_FORCE_QUAT_DATA_XYZW)
+#error "Walkcycle needs GLM without GLM_FORCE_QUAT_DATA_..."
+#endif
+
 // The transform of a joint relative to its parent: first scaled, then rotated, then moved.
 // (The series' JointTransform, completed by scale.)
 template <typename Number>
