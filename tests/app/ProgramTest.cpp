@@ -92,18 +92,18 @@ TEST_F(ProgramTest, aMisspeltVerbOrOptionNamesTheNearestOne) {
     EXPECT_THAT(runWalkcycle({good, "--loop", "Once"}).err, HasSubstr("perhaps 'once'"));
 }
 
-TEST_F(ProgramTest, wrongArgumentsAreToldInPlainWords) {
+TEST_F(ProgramTest, wrongArgumentsAreAnsweredInPlainWords) {
     const std::string good = file("good.dae", liftedTriangle());
-    const std::vector<std::pair<std::vector<std::string>, std::string>> wrongAndTold = {
-        {{"pose", good, "--clop", "3"}, "pose has no option '--clop' (walkcycle pose --help"},
+    const std::vector<std::pair<std::vector<std::string>, std::string>> wrongAndAnswer = {
+        {{"pose", good, "--frobnicate", "3"}, "pose has no option '--frobnicate' (walkcycle pose --help"},
         {{"info", good, "-x"}, "info has no option '-x' (walkcycle info --help"},
         {{"info", good, "b", "c"}, "info does not take 'b', 'c' as well"},
         {{"pose", good, "--time"}, "--time needs a value"},
         {{"info", good, "--unit", "1", "--unit", "2"}, "--unit can be given once only"},
         {{"view", good, "--loop", "twice"}, "--loop: 'twice' is none of once, loop, pingpong"},
         {{"info", good, "--limit", "nesting"}, "--limit: 'nesting' has no value, as in nesting=98"}};
-    for (const auto& [arguments, told] : wrongAndTold)
-        EXPECT_THAT(runWalkcycle(arguments).err, HasSubstr("walkcycle: error: " + told));
+    for (const auto& [arguments, answer] : wrongAndAnswer)
+        EXPECT_THAT(runWalkcycle(arguments).err, HasSubstr("walkcycle: error: " + answer));
 }
 
 TEST_F(ProgramTest, aFileThatCannotBeReadExitsWithTwoAndItsName) {
