@@ -102,7 +102,8 @@ TEST_F(MeshBuilderTest, aQuadIsCutWhereBothTrianglesFaceAsItDoes) {
     loaded = {};
     build({primitive({{0, 1, 2, 3}})});
     ASSERT_THAT(drawn(), SizeIs(6));
-    for (const std::size_t first : {0, 3}) EXPECT_THAT(triangle(first), IsSupersetOf({1u, 3u}));
+    for (const std::size_t first : {std::size_t{0}, std::size_t{3}})
+        EXPECT_THAT(triangle(first), IsSupersetOf({1u, 3u}));
 }
 
 TEST_F(MeshBuilderTest, aFaceWithoutOneOfItsPositionsIsLeftOutAndTold) {
