@@ -35,23 +35,26 @@ std::uint64_t FailingAllocation::requests() {
 
 #ifndef WALKCYCLE_ADDRESS_SANITIZER
 
+// Hidden, as this build compiles everything, they would serve this program alone and not the libraries that it loads.
+#define FOR_ALL_LIBRARIES __attribute__((visibility("default")))
+
 // glibc's own, under the names that it keeps for this purpose; operator new asks them as well.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 
-void* malloc(std::size_t size) {
+FOR_ALL_LIBRARIES void* malloc(std::size_t size) {
     if (!isRefused()) return __libc_malloc(size);
     errno = ENOMEM;
     return nullptr;
 }
-void* calloc(std::size_t count, std::size_t size) {
+FOR_ALL_LIBRARIES void* calloc(std::size_t count, std::size_t size) {
     if (!isRefused()) return __libc_calloc(count, size);
     errno = ENOMEM;
     return nullptr;
 }
-void* realloc(void* memory, std::size_t size) {
+FOR_ALL_LIBRARIES void* realloc(void* memory, std::size_t size) {
     if (!isRefused()) return __libc_realloc(memory, size);
     errno = ENOMEM;
     return nullptr;
