@@ -507,5 +507,24 @@ TEST(LoopTest, withoutALengthOrATimeItIsTheStart) {
     EXPECT_DOUBLE_EQ(loop(std::nan(""), 1.0), 0.0);
 }
 
+TEST(AnimatorTest, backwardsOnceIsNotAtItsEndBeforeTheStart) {
+    Skeleton skeleton;
+    skeleton.joints.resize(1);
+    Animation clip;
+    clip.endSeconds = 2.0;
+    Animator animator(skeleton);
+    animator.setLoopMode(LoopMode::Once);
+    animator.setSpeed(-1.0);
+    animator.doAnimation(clip);
+    animator.setTime(0.25);
+    EXPECT_FALSE(animator.atEnd());
+    animator.update(0.25);
+    EXPECT_TRUE(animator.atEnd());
+}
+
+TEST(AnimatorTest, aShortClipLoops) {
+    EXPECT_DOUBLE_EQ(loop(0.375, 0.25), 0.125);
+}
+
 }  // namespace
 }  // namespace walkcycle

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include "walkcycle/animation/JointTransform.h"
@@ -68,6 +69,17 @@ TEST(JointTransformTest, halfATurnGoesOneWayWithoutVanishing) {
     const JointTransform between = JointTransform::interpolate(turnedBy(0.0f), turnedBy(180.0f), 0.5f);
 
     EXPECT_NEAR(std::abs(degreesOf(between)), 90.0f, 1e-3f);
+}
+
+TEST(JointTransformTest, aQuarterRotationAboutEachAxisTakesOneAxisToTheNext) {
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 about(0.0f), from(0.0f), to(0.0f);
+        about[axis] = from[(axis + 1) % 3] = to[(axis + 2) % 3] = 1.0f;
+        const JointTransform quarter{.rotation = glm::angleAxis(glm::radians(90.0f), about)};
+        const glm::vec3 found(quarter.toMatrix() * glm::vec4(from, 0.0f));
+        EXPECT_LT(glm::length(found - to), 1e-6f) << axis;
+        EXPECT_LT(glm::length(glm::vec3(quarter.toMatrix() * glm::vec4(to, 0.0f)) + from), 1e-6f) << axis;
+    }
 }
 
 }  // namespace
