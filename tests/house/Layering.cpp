@@ -146,6 +146,21 @@ std::string unitOf(const std::string& path) {
     return roomOf(path) + '/' + file.substr(0, file.find('.'));
 }
 
+// Who includes whom, header and source taken as one: "model/Bounds" -> {"model/Model", ...}. Ours alone.
+std::map<std::string, std::vector<std::string>> includeGraph(const std::vector<SourceFile>& files) {
+    std::map<std::string, std::vector<std::string>> graph;
+    for (const SourceFile& file : files) {
+        const std::string unit = unitOf(file.path);
+        std::vector<std::string>& targets = graph[unit];
+        for (const Include& include : includesOf(file.text)) {
+            const auto ours = ourFile(include.target);
+            if (!ours || unitOf(*ours) == unit || std::ranges::count(targets, unitOf(*ours)) > 0) continue;
+            targets.push_back(unitOf(*ours));
+        }
+    }
+    return graph;
+}
+
 }  // namespace
 
 std::string roomOf(const std::string& path) {
@@ -181,20 +196,6 @@ std::vector<std::string> layeringFaults(const SourceFile& file) {
         if (fault) faults.push_back(file.path + ":" + std::to_string(include.line) + ": " + *fault);
     }
     return faults;
-}
-
-std::map<std::string, std::vector<std::string>> includeGraph(const std::vector<SourceFile>& files) {
-    std::map<std::string, std::vector<std::string>> graph;
-    for (const SourceFile& file : files) {
-        const std::string unit = unitOf(file.path);
-        std::vector<std::string>& targets = graph[unit];
-        for (const Include& include : includesOf(file.text)) {
-            const auto ours = ourFile(include.target);
-            if (!ours || unitOf(*ours) == unit || std::ranges::count(targets, unitOf(*ours)) > 0) continue;
-            targets.push_back(unitOf(*ours));
-        }
-    }
-    return graph;
 }
 
 std::vector<std::string> circles(const std::vector<SourceFile>& files) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -30,8 +29,5 @@ std::vector<std::string> layeringFaults(const SourceFile& file);
 // The circles among files, one sentence each ("a/A -> b/B -> a/A"). A header and the source of the same name in the same
 // room count as one.
 std::vector<std::string> circles(const std::vector<SourceFile>& files);
-
-// Who includes whom, header and source taken as one: "model/Bounds" -> {"model/Model", ...}. Ours alone.
-std::map<std::string, std::vector<std::string>> includeGraph(const std::vector<SourceFile>& files);
 
 }  // namespace walkcycle::house
